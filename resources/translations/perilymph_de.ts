@@ -4775,6 +4775,14 @@
         <source>Del</source>
         <translation>Entf</translation>
     </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
 </context>
 <context>
     <name>ReportParameters</name>
@@ -8143,6 +8151,42 @@
     <message>
         <source>mismatch, st (95 %)</source>
         <translation>Abw., HT (95 %)</translation>
+    </message>
+    <message>
+        <source>Bone of the patient’s CT</source>
+        <translation>Knochen aus dem CT des Patienten</translation>
+    </message>
+    <message>
+        <source>Schematic: landmarks of this model; it has no bone.</source>
+        <translation>Schema: Landmarken dieses Modells; es hat keinen Knochen.</translation>
+    </message>
+    <message>
+        <source>Schematic: landmarks of the average cochlea, scaled to the patient’s measures.</source>
+        <translation>Schema: Landmarken der mittleren Cochlea, skaliert auf die Maße des Patienten.</translation>
+    </message>
+    <message>
+        <source>There is no CT of this patient.</source>
+        <translation>Von diesem Patienten gibt es kein CT.</translation>
+    </message>
+    <message>
+        <source>The bone appears once the CT of this patient is open and measured on page CT.</source>
+        <translation>Der Knochen erscheint, sobald das CT dieses Patienten auf der Seite CT geöffnet und gemessen ist.</translation>
+    </message>
+    <message>
+        <source>Drag: rotate. Drag the handle, Ctrl+drag or Page Up, Page Down: move the cut. V: turn the cut to the viewer. Wheel: zoom.</source>
+        <translation>Ziehen: drehen. Griff ziehen, Strg+Ziehen oder Bild auf, Bild ab: Schnitt verschieben. V: Schnitt zum Betrachter drehen. Rad: vergrößern.</translation>
+    </message>
+    <message>
+        <source>bone and landmarks on or off</source>
+        <translation>Knochen und Landmarken ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>move the cut of the bone</source>
+        <translation>Schnitt durch den Knochen verschieben</translation>
+    </message>
+    <message>
+        <source>turn the cut to the viewer</source>
+        <translation>Schnitt zum Betrachter drehen</translation>
     </message>
 </context>
 <context>
@@ -11734,13 +11778,6 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     </message>
 </context>
 <context>
-    <name>perilymph::gui::PlanScene</name>
-    <message>
-        <source>Drag to rotate, wheel to zoom.</source>
-        <translation>Ziehen dreht, das Rad vergrößert.</translation>
-    </message>
-</context>
-<context>
     <name>perilymph::gui::PlanTable</name>
     <message>
         <source>peak %1</source>
@@ -11784,6 +11821,10 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Save the contacts for whoever programs the processor, as CSV with a dictionary of its columns</source>
         <translation>Kontakte für die Prozessoranpassung als CSV mit einem Verzeichnis der Spalten speichern</translation>
+    </message>
+    <message>
+        <source>Bone and landmarks</source>
+        <translation>Knochen und Landmarken</translation>
     </message>
 </context>
 <context>
@@ -12383,6 +12424,21 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>%1 (Ctrl+Shift+Z)</source>
         <translation>%1 (Strg+Umschalt+Z)</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::SceneLabels</name>
+    <message>
+        <source>Round window</source>
+        <translation>Rundes Fenster</translation>
+    </message>
+    <message>
+        <source>Axis of the basal turn</source>
+        <translation>Achse der Basalwindung</translation>
+    </message>
+    <message>
+        <source>Line of approach</source>
+        <translation>Zugangslinie</translation>
     </message>
 </context>
 <context>
@@ -13038,6 +13094,10 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
         <source>Not comparable: array, technique, cochlea, friction or speed differ from the published experiment.</source>
         <translation>Nicht vergleichbar: Träger, Technik, Cochlea, Reibung oder Geschwindigkeit weichen vom veröffentlichten Versuch ab.</translation>
     </message>
+    <message>
+        <source>Bone and landmarks</source>
+        <translation>Knochen und Landmarken</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::SpeedPad</name>
@@ -13498,8 +13558,20 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
 <context>
     <name>perilymph::gui::SurfaceView</name>
     <message>
-        <source>Measured cochlea, 3D</source>
-        <translation>Gemessene Cochlea, 3D</translation>
+        <source>Bone and measured cochlea, 3D</source>
+        <translation>Knochen und gemessene Cochlea, 3D</translation>
+    </message>
+    <message>
+        <source>Computing the bone…</source>
+        <translation>Knochen wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Bone, cut across the axis of the basal turn</source>
+        <translation>Knochen, quer zur Achse der Basalwindung geschnitten</translation>
+    </message>
+    <message>
+        <source>Bone of the CT, cut open from below</source>
+        <translation>Knochen des CT, von unten aufgeschnitten</translation>
     </message>
 </context>
 <context>

@@ -84,7 +84,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string file, record, plugin, screenshot, study, plan, report, ct, igtl;
+  std::string file, record, plugin, screenshot, study, plan, report, ct, igtl, bone;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
@@ -149,6 +149,13 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                    "Run the demo, or filter the study, print frame times, then exit")
           ->excludes(screenshotOption)
           ->excludes(pluginOption);
+  auto* boneOption =
+      app.add_option("--bone", bone,
+                     "With --measure-frames: open this CT and turn its bone instead of the demo")
+          ->type_name("CT")
+          ->check(checkFile)
+          ->needs(measureOption)
+          ->excludes(studyOption);
   app.add_option("--ticks", options.measuredTicks,
                  "Repeat the demo until N samples are recorded (3600000 = 1 h) and compare the "
                  "last insertion with the first (default: one insertion)")
@@ -181,6 +188,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   if (fileOption->count() > 0) options.file = std::filesystem::absolute(file);
   if (recordOption->count() > 0) options.record = record;
   if (studyOption->count() > 0) options.study = study;
+  if (boneOption->count() > 0) options.bone = bone;
   if (planOption->count() > 0) options.plan = plan;
   if (reportOption->count() > 0) options.report = report;
   if (ctOption->count() > 0) options.ct = ct;

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "gui/kiosk/KioskWindow.h"
+#include "gui/program/BoneBenchmark.h"
 #include "gui/program/FrameBenchmark.h"
 #include "gui/program/ProcessUptime.h"
 #include "gui/program/StudyBenchmark.h"
@@ -46,7 +47,7 @@ void takeScreenshotLater(QWidget& window, const CommandLine& options)
 
 void arrangeStartupActions(MainWindow& window, const CommandLine& options)
 {
-  const bool isDemo = options.isDemo || (options.measuresFrames && !options.study);
+  const bool isDemo = options.isDemo || (options.measuresFrames && !options.study && !options.bone);
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
     if (options.plugin) window.insertion().useDevice(*options.plugin);
     if (isDemo) {
@@ -56,6 +57,8 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
     }
     if (options.measuresFrames && options.study)
       measureStudyFrames(window, *options.study);
+    else if (options.measuresFrames && options.bone)
+      measureBoneFrames(window, *options.bone);
     else if (options.measuresFrames)
       measureFrames(window, options.measuredTicks);
     else if (options.study)

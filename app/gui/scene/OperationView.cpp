@@ -22,6 +22,7 @@
 #include "gui/scene/PhaseLine.h"
 #include "gui/scene/PictureLabel.h"
 #include "gui/scene/ReadOutTips.h"
+#include "gui/scene/SceneLabels.h"
 #include "gui/scene/StereoWindow.h"
 #include "gui/scene/ViewNames.h"
 #include "gui/text/Numbers.h"
@@ -34,8 +35,6 @@ namespace {
 
 using visualization::CameraPreset;
 
-// A drag over the full height of the view rotates the model by half a turn.
-constexpr double turnPerHeight_deg = 180.0;
 // Height of the view's own text below the scale bars: two labels and the phase line.
 constexpr int footHeight_px = 100;
 constexpr int lowFootHeight_px = 56;     // without the phase line
@@ -44,11 +43,15 @@ constexpr int lowView_px = 380;          // below it, read-outs are smaller or h
 constexpr int number_px = 46;  // of the three read-outs above, and what yields to a narrow view
 constexpr std::array numbers_px{number_px, 34, 28, 24, 20, 17};
 constexpr qint64 restTime_ms = 1000;
+constexpr QSize scales_px(270, 85);  // of the scene’s legend of forces
+constexpr int narrowNote_px = 220;   // a narrower note has many lines
+constexpr qint64 boneRest_ms = 250;  // without motion the bone is shown in full
 
 }  // namespace
 
 OperationView::OperationView(QWidget* parent)
     : PlainVtkWidget(parent),
+      labels_(new SceneLabels(*this)),
       travel_(new ReadOut({number_px, QStringLiteral("00.0"), tr("mm"), Qt::AlignLeft}, this)),
       angle_(new ReadOut({number_px, QStringLiteral("000"), QStringLiteral("°"), Qt::AlignLeft},
                          this)),
@@ -259,6 +262,44 @@ void OperationView::setPartVisible(visualization::Part part, bool isVisible)
   isDirty_ = true;
 }
 
+void OperationView::setBone(std::shared_ptr<const visualization::BoneModel> bone,
+                            const QString& note)
+{
+  boneNote_ = note;
+  if (!scene_) return;
+  scene_->bone().setBone(std::move(bone));
+  isDirty_ = true;
+}
+
+void OperationView::placeBoneNote()
+{
+  // beside the interpretation of the force where there is room, else below
+  const int left = 2 * spacing, beside = forceLabel_->x() - left - spacing;
+  const bool isBeside = beside >= sized(narrowNote_px);
+  const QWidget& above = isBeside              ? static_cast<QWidget&>(*travel_)
+                         : speed_->isVisible() ? static_cast<QWidget&>(*speed_)
+                                               : static_cast<QWidget&>(*forceLabel_);
+  labels_->setNote(boneNote_, {left, above.geometry().bottom() + spacing},
+                   isBeside ? beside : width() - 2 * left);
+}
+
+void OperationView::moveCut(double by_mm)
+{
+  if (!scene_ || !scene_->bone().isVisible()) return;
+  scene_->bone().moveCut(by_mm);
+  if (twin_ != nullptr) twin_->scene().bone().moveCut(by_mm);
+  sinceMotion_.restart();
+  isDirty_ = true;
+}
+
+void OperationView::faceCut()
+{
+  if (!scene_ || !scene_->bone().isVisible()) return;
+  scene_->bone().faceCut();
+  if (twin_ != nullptr) twin_->scene().bone().faceCut();
+  isDirty_ = true;
+}
+
 void OperationView::glideTo(CameraPreset preset)
 {
   if (!scene_) return;
@@ -295,6 +336,11 @@ void OperationView::zoom(double factor)
 
 void OperationView::stepCamera(double seconds)
 {
+  if (scene_ && scene_->bone().isVisible()) {
+    const bool wasMoving = scene_->bone().isMoving();
+    scene_->bone().setMoving(sinceMotion_.elapsed() < boneRest_ms);
+    if (wasMoving != scene_->bone().isMoving()) isDirty_ = true;
+  }
   if (!scene_ || !scene_->stepCamera(seconds)) return;
   describeView();
   sinceMotion_.restart();
@@ -394,6 +440,11 @@ bool OperationView::renderIfDirty()
   renderWindow()->Render();
   if (scene_->magnification() != before) describeView();  // it framed the ear in another window
   if (twin_ != nullptr) twin_->renderAs(*scene_);
+  if (scene_->bone().isVisible()) placeBoneNote();
+  // the scales lie above the foot, at the left
+  const int foot = qRound(textScale() * footMargin());
+  labels_->follow(&scene_->bone(), {QRectF(0.0, height() - foot - sized(scales_px.height()),
+                                           sized(scales_px.width()), sized(scales_px.height()))});
   return true;
 }
 
@@ -418,6 +469,8 @@ bool OperationView::event(QEvent* event)
 void OperationView::mousePressEvent(QMouseEvent* event)
 {
   mouse_ = event->pos();
+  isCutHeld_ = event->button() == Qt::LeftButton && scene_ && scene_->bone().isVisible() &&
+               (labels_->isHandleAt(mouse_) || (event->modifiers() & Qt::ControlModifier) != 0);
   event->accept();
 }
 
@@ -428,8 +481,10 @@ void OperationView::mouseMoveEvent(QMouseEvent* event)
   const double right = double(moved.x()) / height();
   const double down = double(moved.y()) / height();
   const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
-  if ((event->buttons() & Qt::MiddleButton) != 0 ||
-      ((event->buttons() & Qt::LeftButton) != 0 && isShift))
+  if (isCutHeld_)
+    moveCut(labels_->cutMotion_mm(moved));
+  else if ((event->buttons() & Qt::MiddleButton) != 0 ||
+           ((event->buttons() & Qt::LeftButton) != 0 && isShift))
     moveModel(right, -down);
   else if ((event->buttons() & Qt::LeftButton) != 0)
     turnModel(right * turnPerHeight_deg, down * turnPerHeight_deg, 0.0);
@@ -438,7 +493,11 @@ void OperationView::mouseMoveEvent(QMouseEvent* event)
   event->accept();
 }
 
-void OperationView::mouseReleaseEvent(QMouseEvent* event) { event->accept(); }
+void OperationView::mouseReleaseEvent(QMouseEvent* event)
+{
+  isCutHeld_ = false;
+  event->accept();
+}
 
 void OperationView::mouseDoubleClickEvent(QMouseEvent* event)
 {

@@ -20,6 +20,7 @@ class Banner;
 class ForceLabel;
 class PhaseLine;
 class ReadOut;
+class SceneLabels;
 class StereoWindow;
 struct ReadOutTips;
 
@@ -53,6 +54,14 @@ public:
   /// The stop travel leaves some of the array outside.
   void setPartial(bool isPartial);
   void setPartVisible(visualization::Part part, bool isVisible);
+
+  /// Shows bone around the cochlea while the part *landmarks* is visible; null for none.
+  /// @param note  What the picture then shows.
+  void setBone(std::shared_ptr<const visualization::BoneModel> bone, const QString& note);
+  /// Moves the cut of the bone [mm], or turns it to the viewer.
+  void moveCut(double by_mm);
+  void faceCut();
+  const SceneLabels& labels() const { return *labels_; }
 
   void glideTo(visualization::CameraPreset preset);
   /// For stereo shown by another window, this view shows the picture of one eye.
@@ -105,6 +114,7 @@ private:
   void take(std::unique_ptr<visualization::InsertionScene> scene);
   void describeView();
   void placeHint();
+  void placeBoneNote();
   void fitReadOuts();
   void captionShortly();
   int footMargin() const;
@@ -120,6 +130,9 @@ private:
   int hintLift_ = 0;          ///< Offset of the scale bars above a hint below them.
   QElapsedTimer sinceMotion_;
   QPoint mouse_;
+  SceneLabels* labels_;
+  QString boneNote_;
+  bool isCutHeld_ = false;
   ReadOut* travel_;
   ReadOut* angle_;
   ReadOut* force_;

@@ -7,6 +7,9 @@
 
 namespace perilymph::gui {
 
+/// A drag over the full height of a view rotates its model by half a turn.
+inline constexpr double turnPerHeight_deg = 180.0;
+
 /// A view whose mouse events are those of Qt. It has a render window without multisampling; what it
 /// shows scales its texts itself.
 class PlainVtkWidget : public QVTKOpenGLNativeWidget {

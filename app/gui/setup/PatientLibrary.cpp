@@ -46,6 +46,13 @@ std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::S
   return std::nullopt;
 }
 
+bool isMeasuredInCt(const anatomy::Patient& patient)
+{
+  if (!patient.origin.seriesKey.empty()) return true;
+  const auto saved = findSavedPatient(patient.label, patient.side);
+  return saved && !saved->patient.origin.seriesKey.empty();
+}
+
 fs::path libraryFileOf(const anatomy::Patient& patient)
 {
   const auto known = findSavedPatient(patient.label, patient.side);

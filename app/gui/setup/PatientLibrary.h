@@ -25,6 +25,10 @@ std::vector<SavedPatient> savedPatients();
 /// The saved patient with a code and an ear; empty if there is none.
 std::optional<SavedPatient> findSavedPatient(const std::string& code, anatomy::Side side);
 
+/// Whether a patient's cochlea was measured in a CT, as the patient or the saved one with the code
+/// states.
+bool isMeasuredInCt(const anatomy::Patient& patient);
+
 /// The file in which a code and an ear are saved: "P-017-left.toml", or the one that has them.
 std::filesystem::path libraryFileOf(const anatomy::Patient& patient);
 

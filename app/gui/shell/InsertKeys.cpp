@@ -9,6 +9,7 @@
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionViews.h"
 #include "gui/scene/OperationView.h"
+#include "gui/scene/SceneLabels.h"
 #include "gui/shell/KeyActions.h"
 
 namespace perilymph::gui {
@@ -69,6 +70,20 @@ void addPictureSection(KeyActions& keys, InsertPage& page)
             })});
   keys.add({section, {Qt::Key_F}, tr("follow the tip"), onPage(page, [&page](int) {
               page.views().operation()->glideTo(CameraPreset::followTip);
+            })});
+  keys.add({section, {Qt::Key_C}, tr("bone and landmarks on or off"), onPage(page, [&page](int) {
+              page.toggleLandmarks();
+            })});
+  keys.add({section,
+            {Qt::Key_PageUp, Qt::Key_PageDown},
+            tr("move the cut of the bone"),
+            onPage(page,
+                   [&page](int which) {
+                     page.views().operation()->moveCut(which == 0 ? cutOfKey_mm : -cutOfKey_mm);
+                   }),
+            true});
+  keys.add({section, {Qt::Key_V}, tr("turn the cut to the viewer"), onPage(page, [&page](int) {
+              page.views().operation()->faceCut();
             })});
   keys.add({section,
             {Qt::Key_G},

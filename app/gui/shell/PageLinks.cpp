@@ -4,8 +4,10 @@
 #include "gui/pages/compare/ComparePage.h"
 #include "gui/pages/ct/CtPage.h"
 #include "gui/pages/insert/InsertPage.h"
+#include "gui/pages/insert/InsertionViews.h"
 #include "gui/pages/outcome/OutcomePage.h"
 #include "gui/pages/plan/PlanPage.h"
+#include "gui/pages/plan/PlanView.h"
 #include "gui/pages/sessions/SessionsPage.h"
 #include "gui/pages/start/StartPage.h"
 #include "gui/shell/MainWindow.h"
@@ -67,6 +69,18 @@ void linkPages(MainWindow& window)
     if (plan != nullptr) plan->setCtPlaces(places);
     if (insert != nullptr) insert->setCtPlaces(places);
     if (sessions != nullptr) sessions->setCtPlaces(places);
+  }
+  if (ct != nullptr) {
+    const BoneSource bone = [ct](const anatomy::Patient& patient) { return ct->boneOf(patient); };
+    if (plan != nullptr) {
+      plan->view().setBoneSource(bone);
+      QObject::connect(&ct->bone(), &CtBone::changed, &plan->view(), &PlanView::refreshBone);
+    }
+    if (insert != nullptr) {
+      insert->views().setBoneSource(bone);
+      QObject::connect(&ct->bone(), &CtBone::changed, &insert->views(),
+                       &InsertionViews::refreshBone);
+    }
   }
   if (ct != nullptr && plan != nullptr)
     QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);

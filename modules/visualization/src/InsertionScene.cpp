@@ -31,7 +31,9 @@ namespace perilymph::visualization {
 namespace {
 
 constexpr double cameraDistance_mm = 100.0;  ///< Parallel projection: only has to be outside.
-constexpr std::size_t partCount = 5;
+constexpr std::size_t partCount = 6;
+constexpr double approach_m = 0.008;                        // drawn outside of the opening
+constexpr double axisBelow_m = 0.002, axisAbove_m = 0.003;  // drawn beyond the cochlea
 
 void addLight(vtkRenderer& renderer, double x, double y, double z, double intensity)
 {
@@ -43,13 +45,36 @@ void addLight(vtkRenderer& renderer, double x, double y, double z, double intens
   renderer.AddLight(light);
 }
 
+/// From W [m] to picture space [mm].
+Eigen::Affine3d picturesOf(const PictureSpace& space)
+{
+  Eigen::Affine3d picture = Eigen::Affine3d::Identity();
+  for (int axis = 0; axis < 3; ++axis)
+    picture.linear().col(axis) = space.place(Eigen::Vector3d::Unit(axis));
+  return picture;
+}
+
 }  // namespace
+
+SceneLandmarks landmarksOf(const anatomy::ScalaTympani& scala)
+{
+  const anatomy::Entry entry = scala.entry();
+  SceneLandmarks landmarks;
+  landmarks.roundWindow = scala.wall_W(0.0, 0.0);
+  const double base = scala.center_W(0.0).z(), apex = scala.center_W(scala.lastAngle().si()).z();
+  landmarks.axis = {Eigen::Vector3d(0.0, 0.0, base - axisBelow_m),
+                    Eigen::Vector3d(0.0, 0.0, apex + axisAbove_m)};
+  landmarks.approach = {entry.origin_W + approach_m * entry.out_W, entry.origin_W};
+  return landmarks;
+}
 
 struct InsertionScene::Content {
   Content(const anatomy::ScalaTympani& scala, const electrode::ArrayDesign& array,
           anatomy::Side side, Quality quality, const SceneStyle& style);
   ~Content() { renderer->RemoveObserver(prepareObserver); }
 
+  /// Where the surgeon's landmarks are: of the scala, and of the array as it lies.
+  SceneLandmarks landmarks() const;
   void addActors(const QualityTraits& traits, const SceneColors& palette);
   void applyStereo();
   void applyVisibility();
@@ -77,6 +102,8 @@ struct InsertionScene::Content {
   double framedAspect = 0.0;
 
   vtkNew<vtkOpenGLRenderer> renderer;
+  BoneLayer bone;
+  SceneLandmarks fixedLandmarks;
   vtkNew<vtkContextActor> overlay;
   vtkNew<ScaleBars> bars;
   vtkNew<vtkRenderStepsPass> steps;
@@ -105,6 +132,8 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
       marks(sceneColorsOf(style.scheme)),
       ghost(sceneColorsOf(style.scheme)),
       backdrop(sceneColorsOf(style.scheme)),
+      bone(*renderer, picturesOf(space), style),
+      fixedLandmarks(landmarksOf(scala)),
       hasForceScale(style.hasForceScale)
 {
   const anatomy::Entry entry = scala.entry();
@@ -115,6 +144,9 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
              space.direction(entry.outward_W),
              space.mirrors()};
   isVisible.fill(true);
+  isVisible[static_cast<std::size_t>(Part::landmarks)] = false;
+  bone.setLandmarks(fixedLandmarks);
+  if (quality == Quality::gpu) bone.keepFine();
   bars->setStyle(style);
   addActors(traitsOf(quality), sceneColorsOf(style.scheme));
   applyVisibility();
@@ -124,6 +156,16 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
     static_cast<Content*>(content)->prepare();
   });
   prepareObserver = renderer->AddObserver(vtkCommand::StartEvent, prepareCommand);
+}
+
+SceneLandmarks InsertionScene::Content::landmarks() const
+{
+  SceneLandmarks now = fixedLandmarks;
+  if (path.isEmpty()) return now;
+  const Eigen::Affine3d model = picturesOf(space).inverse();
+  for (const Length fromTip : arrayParts.design().contactsFromTip)
+    now.contacts.push_back(model * path.at(inMillimeters(fromTip)).place);
+  return now;
 }
 
 void InsertionScene::Content::addActors(const QualityTraits& traits, const SceneColors& palette)
@@ -145,6 +187,7 @@ void InsertionScene::Content::addActors(const QualityTraits& traits, const Scene
   arrayParts.addOutline(*renderer);
   ghost.addTo(*renderer);
   marks.addArrows(*renderer);
+  bone.addLines();
 
   overlay->GetScene()->SetRenderer(renderer);
   overlay->GetScene()->AddItem(bars);
@@ -159,6 +202,8 @@ void InsertionScene::Content::applyVisibility()
   scalaParts.setVisible(shows(Part::scala), shows(Part::membrane));
   arrayParts.setVisible(!path.isEmpty(), shows(Part::styletAndTweezers));
   marks.setVisible(shows(Part::wallForce), shows(Part::contactArrows));
+  if (shows(Part::landmarks) && !bone.isVisible()) bone.setLandmarks(landmarks());
+  if (shows(Part::landmarks) != bone.isVisible()) bone.setVisible(shows(Part::landmarks));
   bars->showsForce = hasForceScale && shows(Part::wallForce) && !path.isEmpty();
   bars->showsArrows = shows(Part::contactArrows) && !path.isEmpty();
   bars->Modified();
@@ -222,6 +267,8 @@ void InsertionScene::Content::prepare()
   const ViewFrame view{axes.col(0), axes.col(1), axes.col(2), pixel_mm * pixelRatio};
   const Eigen::Vector3d focus = camera.pose().focus;
   const int width = renderer->GetSize()[0];
+  if (arrayMoved && bone.isVisible()) bone.setLandmarks(landmarks());
+  bone.lookFrom(view);
   const bool viewChanged =
       !(view == preparedView) || focus != preparedFocus || width != preparedWidth;
   if (!viewChanged && !arrayMoved) return;
@@ -301,6 +348,8 @@ bool InsertionScene::isVisible(Part part) const
 }
 
 vtkRenderer& InsertionScene::renderer() { return *content_->renderer; }
+
+BoneLayer& InsertionScene::bone() { return content_->bone; }
 
 void InsertionScene::show(const haptics::Snapshot& now)
 {

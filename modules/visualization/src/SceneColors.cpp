@@ -26,6 +26,9 @@ SceneColors::SceneColors(const figures::Palette& palette)
       frictionArrow(rgbaOf(palette.blue)),
       forceLow(rgbaOf(palette.forceLow)),
       forceHigh(rgbaOf(palette.forceHigh)),
+      lumen(rgbaOf(palette.accent)),
+      // lit, on either ground
+      solidBone(rgbaOf(figures::paletteOf(figures::ColorScheme::dark).bone)),
       ground(rgbaOf(palette.sceneGround)),
       groundLight(rgbaOf(palette.sceneGroundLight)),
       text(rgbaOf(palette.text)),

@@ -19,7 +19,7 @@ struct SceneColors {
 
   figures::ColorScheme scheme;
   Rgba bone, membrane, silicone, platinum, platinumRim, rib, steel, outline, arrow, frictionArrow,
-      forceLow, forceHigh, ground, groundLight, text, quietText, rupture, ghost;
+      forceLow, forceHigh, lumen, solidBone, ground, groundLight, text, quietText, rupture, ghost;
 };
 
 /// The colors of a scheme: constants of the program.

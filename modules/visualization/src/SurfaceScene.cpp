@@ -2,6 +2,7 @@
 #include "perilymph/visualization/SurfaceScene.h"
 
 #include <vtkActor.h>
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkGlyph3DMapper.h>
@@ -16,6 +17,10 @@
 #include <vtkSphereSource.h>
 #include <vtkTubeFilter.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "PictureSpace.h"
 #include "SceneColors.h"
 
 namespace perilymph::visualization {
@@ -25,6 +30,7 @@ namespace {
 constexpr double mm = 1e3, pointRadius_mm = 0.18, wallOpacity = 0.55;
 constexpr double closeness = 1.2;  // VTK leaves space for the bounding sphere
 constexpr int tubeSides = 16;
+constexpr double cameraDistance_mm = 150.0;  // at least
 
 void paint(vtkActor& actor, const Rgba& color, double opacity)
 {
@@ -42,6 +48,33 @@ void setPointsOf(vtkPolyData& data, const std::vector<Eigen::Vector3d>& points_m
 }  // namespace
 
 struct SurfaceScene::Content {
+  explicit Content(const SceneStyle& style)
+      : bone(*renderer, Eigen::Affine3d(Eigen::Scaling(mm)), style)
+  {
+    bone.setVisible(true);
+    prepareCommand->SetClientData(this);
+    prepareCommand->SetCallback([](vtkObject*, unsigned long, void* content, void*) {
+      static_cast<Content*>(content)->prepare();
+    });
+    prepareObserver = renderer->AddObserver(vtkCommand::StartEvent, prepareCommand);
+  }
+  ~Content() { renderer->RemoveObserver(prepareObserver); }
+
+  /// Before each picture: updates what depends on the view.
+  void prepare()
+  {
+    vtkCamera& camera = *renderer->GetActiveCamera();
+    const double* away = camera.GetDirectionOfProjection();
+    const double* viewUp = camera.GetViewUp();
+    ViewFrame view;
+    view.back = -Eigen::Vector3d(away[0], away[1], away[2]);
+    view.right = Eigen::Vector3d(viewUp[0], viewUp[1], viewUp[2]).cross(view.back).normalized();
+    view.up = view.back.cross(view.right);
+    view.pixel_mm =
+        pixelRatio * 2.0 * camera.GetParallelScale() / std::max(1, renderer->GetSize()[1]);
+    bone.lookFrom(view);
+  }
+
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkPolyData> wall, marks, path;
   vtkNew<vtkPolyDataNormals> normals;
@@ -50,10 +83,14 @@ struct SurfaceScene::Content {
   vtkNew<vtkPolyDataMapper> wallMapper, pathMapper;
   vtkNew<vtkGlyph3DMapper> markMapper;
   vtkNew<vtkActor> wallActor, markActor, pathActor;
+  BoneLayer bone;
+  double pixelRatio = 1.0;
+  vtkNew<vtkCallbackCommand> prepareCommand;
+  unsigned long prepareObserver = 0;
 };
 
 SurfaceScene::SurfaceScene(const anatomy::Surface& surface, const SceneStyle& style)
-    : content_(std::make_unique<Content>())
+    : content_(std::make_unique<Content>(style))
 {
   Content& c = *content_;
   const SceneColors& palette = sceneColorsOf(style.scheme);
@@ -69,7 +106,7 @@ SurfaceScene::SurfaceScene(const anatomy::Surface& surface, const SceneStyle& st
   c.normals->SplittingOff();
   c.wallMapper->SetInputConnection(c.normals->GetOutputPort());
   c.wallActor->SetMapper(c.wallMapper);
-  paint(*c.wallActor, palette.bone, wallOpacity);
+  paint(*c.wallActor, palette.lumen, wallOpacity);
 
   c.sphere->SetRadius(pointRadius_mm);
   c.sphere->SetThetaResolution(tubeSides);
@@ -91,6 +128,8 @@ SurfaceScene::SurfaceScene(const anatomy::Surface& surface, const SceneStyle& st
   // opaque actors first, so that they show through the wall
   for (vtkActor* actor : {c.markActor.Get(), c.pathActor.Get(), c.wallActor.Get()})
     c.renderer->AddActor(actor);
+  c.wallActor->SetVisibility(!surface.triangles.empty());
+  c.bone.addLines();
   c.renderer->GetActiveCamera()->ParallelProjectionOn();
   setPoints({});
   setPath({}, 0.1);
@@ -103,12 +142,15 @@ void SurfaceScene::attachTo(vtkRenderWindow& window) { window.AddRenderer(conten
 
 vtkRenderer& SurfaceScene::renderer() { return *content_->renderer; }
 
+BoneLayer& SurfaceScene::bone() { return content_->bone; }
+
+void SurfaceScene::setScale(double pixelRatio) { content_->pixelRatio = pixelRatio; }
+
 void SurfaceScene::setPoints(const std::vector<Eigen::Vector3d>& points_mm)
 {
   setPointsOf(*content_->marks, points_mm);
   content_->marks->Modified();
   content_->markActor->SetVisibility(!points_mm.empty());
-  content_->renderer->ResetCameraClippingRange();
 }
 
 void SurfaceScene::setPath(const std::vector<Eigen::Vector3d>& points_mm, double radius_mm)
@@ -121,7 +163,6 @@ void SurfaceScene::setPath(const std::vector<Eigen::Vector3d>& points_mm, double
   content_->path->SetLines(line);
   content_->tube->SetRadius(radius_mm);
   content_->pathActor->SetVisibility(points_mm.size() > 1);
-  content_->renderer->ResetCameraClippingRange();
 }
 
 void SurfaceScene::lookAlong(const Eigen::Vector3d& away, const Eigen::Vector3d& down)
@@ -132,9 +173,21 @@ void SurfaceScene::lookAlong(const Eigen::Vector3d& away, const Eigen::Vector3d&
   camera.SetViewUp(-down.x(), -down.y(), -down.z());
   double bounds[6];
   content_->wall->GetBounds(bounds);
+  if (const auto& bone = content_->bone.bone(); bone && content_->wall->GetNumberOfPoints() == 0)
+    for (int axis = 0; axis < 3; ++axis) {
+      // half of the ball's box: a volume does not fill it
+      bounds[2 * axis] = mm * (bone->center[axis] - 0.6 * bone->radius);
+      bounds[2 * axis + 1] = mm * (bone->center[axis] + 0.6 * bone->radius);
+    }
   content_->renderer->ResetCamera(bounds);
   camera.Zoom(closeness);
-  content_->renderer->ResetCameraClippingRange();  // landmarks lie beside the surface
+  // Parallel projection: far enough for landmarks and bone beside the surface.
+  const double distance = std::max(cameraDistance_mm, 2.0 * camera.GetDistance());
+  const double* focus = camera.GetFocalPoint();
+  const Eigen::Vector3d eye =
+      Eigen::Vector3d(focus[0], focus[1], focus[2]) - distance * away.normalized();
+  camera.SetPosition(eye.x(), eye.y(), eye.z());
+  camera.SetClippingRange(1.0, 2.0 * distance);
 }
 
 void SurfaceScene::rotate(double azimuth_deg, double elevation_deg)
@@ -143,7 +196,6 @@ void SurfaceScene::rotate(double azimuth_deg, double elevation_deg)
   camera.Azimuth(-azimuth_deg);
   camera.Elevation(elevation_deg);
   camera.OrthogonalizeViewUp();
-  content_->renderer->ResetCameraClippingRange();
 }
 
 void SurfaceScene::zoom(double factor) { content_->renderer->GetActiveCamera()->Zoom(factor); }

@@ -2,7 +2,7 @@
 
 // Labels of points in a picture: whatever the points, each label has a place of its own.
 
-#include "gui/pages/ct/LabelPlaces.h"
+#include "gui/widgets/LabelPlaces.h"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +49,32 @@ TEST(LabelPlaces, LieInThePaneAndOnNoOtherLabelPointOrTakenPlace)
         EXPECT_FALSE(place.contains(labels[other].at));
         EXPECT_FALSE(other != one && place.intersects(places[other]));
       }
+    }
+  }
+}
+
+TEST(LabelPlaces, HaveLeaderLinesFromTheirPointToTheirEdge)
+{
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Chance chance(seed);
+    std::vector<LabelledPoint> labels;
+    for (int k = 0; k < 5 + int(seed % 20); ++k)
+      labels.push_back({{chance.upTo(900.0), chance.upTo(600.0)},
+                        {14.0 + chance.upTo(120.0), 14.0 + chance.upTo(10.0)}});
+    const auto places = placeLabels(labels, {0.0, 0.0, 900.0, 600.0});
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+      const QLineF leader = leaderLine(labels[k].at, places[k]);
+      if (leader.isNull()) continue;
+      // it begins on the ring about the point, and its line goes through the point
+      EXPECT_LT(QLineF(labels[k].at, leader.p1()).length(), 7.01);
+      const QLineF whole(labels[k].at, leader.p2());
+      EXPECT_NEAR(whole.length(), QLineF(labels[k].at, leader.p1()).length() + leader.length(),
+                  1e-9);
+      // and ends on the label's edge
+      const QPointF end = leader.p2();
+      EXPECT_TRUE(places[k].adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(end));
+      EXPECT_FALSE(places[k].adjusted(1e-6, 1e-6, -1e-6, -1e-6).contains(end));
     }
   }
 }

@@ -25,6 +25,7 @@
 #include "gui/pages/ct/SurfaceView.h"
 #include "gui/report/CtPicture.h"
 #include "gui/run/UserSettings.h"
+#include "gui/scene/SceneLabels.h"
 #include "gui/setup/EnteredMeasures.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PatientHistory.h"
@@ -692,10 +693,16 @@ TEST_F(TheCtPage, ShowsNothingOfTheFormerScanBesideAnotherOne)
     return seen.size();
   };
   ASSERT_GT(colors(), 20U);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page().bone().isBusy(); }));
+  ASSERT_FALSE(surface->labels().labels().empty());
+  const auto former = page().bone().model();
   open(otherOnDisk());
   ASSERT_TRUE(study().hasCt());
   EXPECT_TRUE(study().marks().isEmpty());
-  EXPECT_EQ(colors(), 1U);
+  EXPECT_TRUE(surface->labels().labels().empty());
+  EXPECT_NE(surface->scene()->bone().bone(), former);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return page().bone().model() != nullptr; }));
+  EXPECT_GT(colors(), 20U);  // the other one's bone
   keepPicture(rig_.window(), "another-scan-unmeasured");
 }
 

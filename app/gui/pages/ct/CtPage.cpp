@@ -59,13 +59,14 @@ QString notThere(const CtRequest& request)
 CtPage::CtPage(const InsertionControl& control, QWidget* parent)
     : Page("ct", tr("CT"), Icon::ct, parent),
       control_(control),
+      bone_(study_, this),
       work_(this),
       thumbnails_(this),
       panel_(new CtPanel(study_, this)),
       stages_(new QStackedLayout),
       pictures_(new QWidget(this)),
       archive_(new ArchiveView(this)),
-      surface_(new SurfaceView(study_, pictures_))
+      surface_(new SurfaceView(study_, bone_, pictures_))
 {
   auto* grid = new QGridLayout(pictures_);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -332,12 +333,15 @@ bool CtPage::cancel()
 
 bool CtPage::isInMeasuredCochlea(const session::Scenario& scenario) const
 {
+  return scenario.anatomy() == anatomy::AnatomySource::mean && isMeasured(scenario.patient());
+}
+
+bool CtPage::isMeasured(const anatomy::Patient& inserted) const
+{
   const auto& measures = study_.measures();
-  if (!measures || !patient_ || scenario.anatomy() != anatomy::AnatomySource::mean ||
-      patient_->origin.seriesKey != measures->provenance.seriesKey)
+  if (!measures || !patient_ || patient_->origin.seriesKey != measures->provenance.seriesKey)
     return false;
   // The same label may be of another person, whose cochlea the array would be shown in.
-  const anatomy::Patient& inserted = scenario.patient();
   anatomy::Patient measured = imaging::measuredPatient(*measures);
   const auto numbers = [](anatomy::Patient patient) {
     patient.errors.reset();
@@ -362,6 +366,12 @@ std::optional<broadcast::PlacedCt> CtPage::placedCt(const session::Scenario& sce
   if (!isInMeasuredCochlea(scenario)) return std::nullopt;
   const ct::CochleaMeasures& measures = *study_.measures();
   return broadcast::PlacedCt{study_.volume(), measures.anatomyAxes_PW, measures.anatomyOrigin_P};
+}
+
+std::shared_ptr<const visualization::BoneModel> CtPage::boneOf(
+    const anatomy::Patient& patient) const
+{
+  return isMeasured(patient) ? bone_.inAnatomy() : nullptr;
 }
 
 void CtPage::withFreshMeasures(std::function<void()> then)

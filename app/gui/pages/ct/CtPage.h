@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gui/pages/Page.h"
+#include "gui/pages/ct/CtBone.h"
 #include "gui/pages/ct/CtStudy.h"
 #include "gui/pages/ct/CtWork.h"
 #include "gui/run/InsertionControl.h"
@@ -50,10 +51,15 @@ public:
   /// The CT and the cochlea in it, if that is the scenario's.
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
 
+  /// Bone of the CT in frame W of a patient's cochlea; null if it is not measured in the CT that is
+  /// shown.
+  std::shared_ptr<const visualization::BoneModel> boneOf(const anatomy::Patient& patient) const;
+
   /// The folder of the CT that is shown, if it is this series of DICOM files.
   std::optional<std::filesystem::path> placeOf(const std::string& seriesKey) const;
 
   CtStudy& study() { return study_; }
+  CtBone& bone() { return bone_; }
   /// Replaces the measurement, by default ct::measureCochlea().
   void setMeasurement(CtWork::Measurement measurement)
   {
@@ -74,6 +80,7 @@ protected:
 
 private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
+  bool isMeasured(const anatomy::Patient& patient) const;
   void connectWork();
   void connectPanel();
   void connectArchive();
@@ -111,6 +118,7 @@ private:
 
   const InsertionControl& control_;
   CtStudy study_;
+  CtBone bone_;
   CtWork work_;
   CtWork thumbnails_;
   imaging::CtSeriesList list_;

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "gui/pages/ct/CtText.h"
-#include "gui/pages/ct/LabelPlaces.h"
 #include "gui/text/LandmarkText.h"
 #include "gui/text/Numbers.h"
+#include "gui/widgets/LabelPlaces.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/figures/FixedInks.h"
 

@@ -5,13 +5,14 @@
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
-#include <QMouseEvent>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "gui/pages/ct/CtBone.h"
+#include "gui/scene/BoneNote.h"
 #include "gui/text/ChartLabels.h"
+#include "gui/text/LandmarkText.h"
 #include "gui/widgets/Theme.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 
@@ -19,43 +20,77 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double turnPerHeight_deg = 180.0;  // by a drag over the full height
 constexpr double minPathRadius_mm = 0.05;
 
 }  // namespace
 
-SurfaceView::SurfaceView(CtStudy& study, QWidget* parent) : PlainVtkWidget(parent), study_(study)
+SurfaceView::SurfaceView(CtStudy& study, const CtBone& bone, QWidget* parent)
+    : BoneView(zoomPerNotch, parent), study_(study), bone_(bone)
 {
   setObjectName(QStringLiteral("surfaceView"));
-  setAccessibleName(tr("Measured cochlea, 3D"));
+  setAccessibleName(tr("Bone and measured cochlea, 3D"));
+  setToolTip(boneTip());
   connect(&study_, &CtStudy::modelChanged, this, &SurfaceView::refresh);
+  connect(&bone_, &CtBone::changed, this, &SurfaceView::refresh);
 }
 
 SurfaceView::~SurfaceView() = default;
 
+void SurfaceView::makeScene()
+{
+  if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
+  volume_ = study_.volume();
+  measures_ = study_.measures();
+  scene_ = std::make_unique<visualization::SurfaceScene>(
+      measures_ ? imaging::measuredSurface(*measures_) : anatomy::Surface(),
+      sceneStyle(shownColorScheme()));
+  scene_->setScale(devicePixelRatioF());
+  scene_->attachTo(*renderWindow());
+}
+
+void SurfaceView::lookFirst()
+{
+  if (measures_) {
+    const ct::ViewPlane view = ct::cochlearPlanes(*measures_, measures_->center_P)[0];
+    scene_->lookAlong(view.away_P(), view.down_P);
+    scene_->rotate(0.0, 35.0);  // obliquely, so that the turns lie one above the other
+  } else if (study_.hasCt()) {
+    const ct::ViewPlane view = ct::patientPlanes(study_.volume()->center_P())[0];
+    scene_->lookAlong(view.away_P(), view.down_P);
+    scene_->rotate(25.0, 35.0);
+  }
+}
+
 void SurfaceView::refresh()
 {
-  const auto& measures = study_.measures();
-  if (!measures) {
-    shownWindow_P_.reset();
+  if (!study_.hasCt()) {
+    volume_.reset();
+    measures_.reset();
     if (!scene_) return;
     // a window without a renderer keeps its last picture
     scene_->renderer().RemoveAllViewProps();
+    scene_->bone().setVisible(false);
     return render();
   }
-  if (shownWindow_P_ != measures->roundWindow_P) {
-    if (scene_) renderWindow()->RemoveRenderer(&scene_->renderer());
-    scene_ = std::make_unique<visualization::SurfaceScene>(imaging::measuredSurface(*measures),
-                                                           sceneStyle(shownColorScheme()));
-    scene_->attachTo(*renderWindow());
-    const ct::ViewPlane view = ct::cochlearPlanes(*measures, measures->center_P)[0];
-    scene_->lookAlong(view.away_P(), view.down_P);
-    scene_->rotate(0.0, 35.0);  // obliquely, so that the turns lie one above the other
-    shownWindow_P_ = measures->roundWindow_P;
-  }
+  const bool isAnother = volume_ != study_.volume() || measures_ != study_.measures() || !scene_;
+  if (isAnother) makeScene();
+  const bool isFirstBone = bone_.model() && !scene_->bone().bone();
+  scene_->bone().setBone(bone_.model());
+  if (isAnother || (isFirstBone && !measures_)) lookFirst();
+  visualization::SceneLandmarks landmarks = bone_.landmarks();
   std::vector<Eigen::Vector3d> points;
-  for (const auto& point : study_.marks().points_P)
-    if (point) points.push_back(*point);
+  for (std::size_t k = 0; k < ct::markCount; ++k) {
+    const auto mark = static_cast<ct::Mark>(k);
+    const auto& point = study_.marks()[mark];
+    if (!point) continue;
+    if (mark == ct::Mark::roundWindow) {
+      landmarks.roundWindow = 1e-3 * *point;
+      continue;
+    }
+    points.push_back(*point);
+    landmarks.others.emplace_back(markLabel(mark).toStdString(), 1e-3 * *point);
+  }
+  scene_->bone().setLandmarks(landmarks);
   scene_->setPoints(points);
   std::vector<Eigen::Vector3d> line;
   double radius_mm = minPathRadius_mm;
@@ -64,43 +99,16 @@ void SurfaceView::refresh()
     radius_mm = std::max(radius_mm, 0.7 * node.radius_mm);  // drawn with one radius, tapered or not
   }
   scene_->setPath(line, radius_mm);
+  showNote();
   render();
 }
 
-void SurfaceView::render()
+void SurfaceView::showNote()
 {
-  // before the widget is shown it has no OpenGL context; VTK renders when it gets one
-  if (isValid()) renderWindow()->Render();
-  update();
-}
-
-void SurfaceView::mousePressEvent(QMouseEvent* event) { mouse_ = event->localPos(); }
-
-void SurfaceView::mouseMoveEvent(QMouseEvent* event)
-{
-  const QPointF moved = (event->localPos() - mouse_) / height();
-  mouse_ = event->localPos();
-  if (!scene_) return;
-  if ((event->buttons() & Qt::LeftButton) != 0)
-    scene_->rotate(turnPerHeight_deg * moved.x(), turnPerHeight_deg * moved.y());
-  else if ((event->buttons() & Qt::RightButton) != 0)
-    scene_->zoom(std::exp(-2.0 * moved.y()));
-  else
-    return;
-  render();
-}
-
-void SurfaceView::mouseDoubleClickEvent(QMouseEvent* event)
-{
-  if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
-}
-
-void SurfaceView::wheelEvent(QWheelEvent* event)
-{
-  event->accept();
-  if (!scene_) return;
-  scene_->zoom(std::pow(zoomPerNotch, event->angleDelta().y() / 120.0));
-  render();
+  setNote(bone_.isBusy()  ? tr("Computing the bone…")
+          : measures_     ? tr("Bone, cut across the axis of the basal turn")
+          : bone_.model() ? tr("Bone of the CT, cut open from below")
+                          : QString());
 }
 
 }  // namespace perilymph::gui

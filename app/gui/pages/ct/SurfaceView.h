@@ -1,43 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The measured cochlea in 3D.
+// The bone of the CT and the measured cochlea in it, in 3D.
 
 #include <memory>
 
 #include "gui/pages/ct/CtStudy.h"
-#include "gui/scene/PlainVtkWidget.h"
+#include "gui/scene/BoneView.h"
 #include "perilymph/visualization/SurfaceScene.h"
 
 namespace perilymph::gui {
 
-/// Shows the fitted wall with the landmarks; the mouse rotates and zooms it.
-class SurfaceView : public PlainVtkWidget {
+class CtBone;
+
+/// Shows the bone, cut open, with the fitted wall, the landmarks and an inserted array in it.
+class SurfaceView : public BoneView {
   Q_OBJECT
 public:
-  SurfaceView(CtStudy& study, QWidget* parent);
+  SurfaceView(CtStudy& study, const CtBone& bone, QWidget* parent);
   ~SurfaceView() override;
 
-  QSize minimumSizeHint() const override { return {160, 140}; }
-
-Q_SIGNALS:
-  /// A double click.
-  void maximizeRequested();
+  /// The picture; null before the first CT.
+  visualization::SurfaceScene* scene() { return scene_.get(); }
 
 protected:
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseDoubleClickEvent(QMouseEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
+  visualization::BoneLayer* layer() override { return scene_ ? &scene_->bone() : nullptr; }
+  void rotateScene(double azimuth_deg, double elevation_deg) override
+  {
+    scene_->rotate(azimuth_deg, elevation_deg);
+  }
+  void zoomScene(double factor) override { scene_->zoom(factor); }
 
 private:
   void refresh();
-  void render();
+  void makeScene();
+  void lookFirst();
+  void showNote();
 
   CtStudy& study_;
+  const CtBone& bone_;
   std::unique_ptr<visualization::SurfaceScene> scene_;
-  std::optional<Eigen::Vector3d> shownWindow_P_;  ///< Round window of the measures in the scene.
-  QPointF mouse_;
+  // what the scene shows
+  std::shared_ptr<const ct::CtVolume> volume_;
+  std::shared_ptr<const ct::CochleaMeasures> measures_;
 };
 
 }  // namespace perilymph::gui

@@ -250,6 +250,8 @@ bool InsertPage::leavePanel()
 
 void InsertPage::togglePanel() { side_->setCollapsed(!side_->isCollapsed()); }
 
+void InsertPage::toggleLandmarks() { side_->togglePart(visualization::Part::landmarks); }
+
 void InsertPage::wheelEvent(QWheelEvent* event)
 {
   const double notches = event->angleDelta().y() / 120.0;

@@ -47,6 +47,8 @@ public:
   /// Removes the focus from the panel. False if it is not there.
   bool leavePanel();
   void togglePanel();
+  /// Shows bone and landmarks in the picture, or hides them.
+  void toggleLandmarks();
   /// Updates the display of the input device.
   void showInput() { presenter_.showInput(); }
 

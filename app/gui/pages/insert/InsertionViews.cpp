@@ -10,6 +10,7 @@
 #include "gui/run/UserSettings.h"
 #include "gui/scene/OperationView.h"
 #include "gui/scene/StereoWindow.h"
+#include "gui/setup/PatientLibrary.h"
 #include "gui/text/ChartLabels.h"
 #include "gui/widgets/Theme.h"
 
@@ -123,8 +124,32 @@ void InsertionViews::offerQuadBuffered(const QString& error)
 
 std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const
 {
-  return std::make_unique<visualization::InsertionScene>(*scala_, array_, side_, pilot_.quality(),
-                                                         sceneStyle(shownColorScheme()));
+  auto scene = std::make_unique<visualization::InsertionScene>(
+      *scala_, array_, side_, pilot_.quality(), sceneStyle(shownColorScheme()));
+  scene->bone().setBone(bone());
+  return scene;
+}
+
+std::shared_ptr<const visualization::BoneModel> InsertionViews::bone() const
+{
+  return patient_ && boneSource_ ? boneSource_(*patient_) : nullptr;
+}
+
+void InsertionViews::setBoneSource(BoneSource source)
+{
+  boneSource_ = std::move(source);
+  refreshBone();
+}
+
+void InsertionViews::refreshBone()
+{
+  if (scala_ == nullptr) return;
+  const auto shown = bone();
+  const CochleaOrigin origin = !patient_                   ? CochleaOrigin::model
+                               : isMeasuredInCt(*patient_) ? CochleaOrigin::ct
+                                                           : CochleaOrigin::numbers;
+  operation_->setBone(shown, boneNote(shown != nullptr, origin));
+  if (twin_) twin_->scene().bone().setBone(shown);
 }
 
 void InsertionViews::openTwin()
@@ -192,7 +217,12 @@ void InsertionViews::setScene(const anatomy::ScalaTympani& scala, const session:
   scala_ = &scala;
   array_ = scenario.array();
   side_ = scenario.patient().side;
+  patient_.reset();
+  if (scenario.anatomy() == anatomy::AnatomySource::mean &&
+      anatomy::isScaledBy(scenario.anatomy(), scenario.patient()))
+    patient_ = scenario.patient();
   operation_->setScene(madeScene());
+  refreshBone();
   flat_->setScene(scala, array_);
   if (twin_) openTwin();
 }

@@ -7,6 +7,7 @@
 
 #include "gui/pages/insert/AdaptiveQuality.h"
 #include "gui/pages/insert/PaneArea.h"
+#include "gui/scene/BoneNote.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/Snapshot.h"
 #include "perilymph/session/Scenario.h"
@@ -38,6 +39,11 @@ public:
   /// Updates the views that follow the array fifteen times a second.
   void showSlowly(const haptics::Snapshot& now);
 
+  /// Where bone of patients is.
+  void setBoneSource(BoneSource source);
+  /// Shows the bone as it is now.
+  void refreshBone();
+
   void lookFrom(visualization::CameraPreset preset);
   void setStereo(visualization::Stereo stereo);
   /// Cycles through the stereo modes.
@@ -67,6 +73,7 @@ private:
   void chooseQuality(QualityChoice choice);
   void redraw();
   std::unique_ptr<visualization::InsertionScene> madeScene() const;
+  std::shared_ptr<const visualization::BoneModel> bone() const;
   void openTwin();
   void closeTwin();
 
@@ -83,6 +90,8 @@ private:
   const anatomy::ScalaTympani* scala_ = nullptr;
   electrode::ArrayDesign array_;
   anatomy::Side side_ = anatomy::Side::right;
+  std::optional<anatomy::Patient> patient_;  ///< Whose cochlea it is; empty for a model.
+  BoneSource boneSource_;
   haptics::Snapshot shown_{};
 };
 

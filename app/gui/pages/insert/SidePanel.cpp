@@ -109,10 +109,11 @@ Section* SidePanel::showSection(QWidget* parent)
       {Part::contactArrows, tr("Contact forces")},
       {Part::membrane, tr("Basilar membrane")},
       {Part::styletAndTweezers, tr("Stylet and tweezers")},
+      {Part::landmarks, tr("Bone and landmarks")},
   };
   for (const auto& [part, name] : parts) {
     auto* box = new CheckBox(name, section->body());
-    box->setChecked(true);
+    box->setChecked(part != Part::landmarks);
     box->setObjectName(QStringLiteral("show%1").arg(static_cast<int>(part)));
     box->setFocusPolicy(Qt::TabFocus);
     connect(box, &QAbstractButton::toggled, this,
@@ -141,6 +142,12 @@ void SidePanel::setComparable(bool isComparable)
       isComparable ? tr("Published measurements, mean ± SD, in the chart of force over travel.")
                    : tr("Not comparable: array, technique, cochlea, friction or speed differ from "
                         "the published experiment."));
+}
+
+void SidePanel::togglePart(visualization::Part part)
+{
+  for (const auto& [each, box] : parts_)
+    if (each == part) box->toggle();
 }
 
 void SidePanel::announceParts()

@@ -54,6 +54,8 @@ public:
   void setTiming(const QString& text);
   /// Enables the check box of the published experiment, or disables it with the reason.
   void setComparable(bool isComparable);
+  /// Shows a part of the picture, or hides it.
+  void togglePart(visualization::Part part);
   /// Emits the view options again, for a new view.
   void announceParts();
 

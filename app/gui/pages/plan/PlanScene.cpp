@@ -4,10 +4,6 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <QMouseEvent>
-#include <QWheelEvent>
-#include <cmath>
-
 #include "gui/text/ChartLabels.h"
 #include "gui/widgets/Theme.h"
 
@@ -15,15 +11,14 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double turnPerHeight_deg = 180.0;  // by a drag over the full height
 constexpr double zoomOfNotch = 1.1;
 
 }  // namespace
 
-PlanScene::PlanScene(QWidget* parent) : PlainVtkWidget(parent)
+PlanScene::PlanScene(QWidget* parent) : BoneView(zoomOfNotch, parent)
 {
   setObjectName(QStringLiteral("planScene"));
-  setToolTip(tr("Drag to rotate, wheel to zoom."));
+  setToolTip(boneTip());
 }
 
 PlanScene::~PlanScene() = default;
@@ -59,39 +54,22 @@ void PlanScene::showForces(bool areShown)
   render();
 }
 
+void PlanScene::showBone(bool isShown, std::shared_ptr<const visualization::BoneModel> bone,
+                         CochleaOrigin origin)
+{
+  if (!scene_) return;
+  const bool hasBone = bone != nullptr;
+  scene_->bone().setBone(std::move(bone));
+  scene_->setVisible(visualization::Part::landmarks, isShown);
+  setNote(boneNote(hasBone, origin));
+  render();
+}
+
 void PlanScene::lookAs(const PlanScene& other)
 {
   if (!scene_ || !other.scene_) return;
   scene_->lookAs(*other.scene_);
   render();
-}
-
-void PlanScene::render()
-{
-  // before the widget is shown it has no OpenGL context; VTK renders when it gets one
-  if (isValid()) renderWindow()->Render();
-  update();
-}
-
-void PlanScene::mousePressEvent(QMouseEvent* event) { mouse_ = event->localPos(); }
-
-void PlanScene::mouseMoveEvent(QMouseEvent* event)
-{
-  const QPointF moved = (event->localPos() - mouse_) / height();
-  mouse_ = event->localPos();
-  if (!scene_ || (event->buttons() & Qt::LeftButton) == 0) return;
-  scene_->rotateModel(turnPerHeight_deg * moved.x(), turnPerHeight_deg * moved.y(), 0.0);
-  render();
-  Q_EMIT cameraMoved();
-}
-
-void PlanScene::wheelEvent(QWheelEvent* event)
-{
-  event->accept();
-  if (!scene_) return;
-  scene_->zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0));
-  render();
-  Q_EMIT cameraMoved();
 }
 
 }  // namespace perilymph::gui

@@ -6,13 +6,14 @@
 #include <memory>
 
 #include "gui/pages/plan/PlanShapeWork.h"
-#include "gui/scene/PlainVtkWidget.h"
+#include "gui/scene/BoneNote.h"
+#include "gui/scene/BoneView.h"
 #include "perilymph/visualization/InsertionScene.h"
 
 namespace perilymph::gui {
 
 /// The mouse rotates and zooms the picture; other pictures can follow its camera.
-class PlanScene : public PlainVtkWidget {
+class PlanScene : public BoneView {
   Q_OBJECT
 public:
   explicit PlanScene(QWidget* parent);
@@ -27,22 +28,26 @@ public:
   void lookAs(const PlanScene& other);
   visualization::InsertionScene* scene() { return scene_.get(); }
 
-  QSize minimumSizeHint() const override { return {160, 140}; }
+  /// Shows bone and landmarks of a patient, or hides them.
+  /// @param bone  Null without one.
+  void showBone(bool isShown, std::shared_ptr<const visualization::BoneModel> bone,
+                CochleaOrigin origin);
 
 Q_SIGNALS:
   void cameraMoved();
 
 protected:
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
+  visualization::BoneLayer* layer() override { return scene_ ? &scene_->bone() : nullptr; }
+  void rotateScene(double azimuth_deg, double elevation_deg) override
+  {
+    scene_->rotateModel(azimuth_deg, elevation_deg, 0.0);
+  }
+  void zoomScene(double factor) override { scene_->zoom(factor); }
+  void onMoved() override { Q_EMIT cameraMoved(); }
 
 private:
-  void render();
-
   PlanShapeWork::Shape shape_;  ///< The scene refers to it.
   std::unique_ptr<visualization::InsertionScene> scene_;
-  QPointF mouse_;
 };
 
 }  // namespace perilymph::gui

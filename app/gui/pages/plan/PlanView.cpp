@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanView.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,9 +16,11 @@
 #include "gui/pages/plan/PlanScene.h"
 #include "gui/pages/plan/PlanText.h"
 #include "gui/report/ContactExport.h"
+#include "gui/setup/PatientLibrary.h"
 #include "gui/text/ChartLabels.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "gui/widgets/CheckBoxes.h"
 #include "gui/widgets/DrawingView.h"
 #include "gui/widgets/ElidedLabel.h"
 #include "gui/widgets/PanelParts.h"
@@ -52,6 +55,7 @@ struct PlanView::Unrolled {
 PlanView::PlanView(QWidget* parent)
     : QWidget(parent),
       work_(this),
+      showsBone_(new CheckBox(tr("Bone and landmarks"), this)),
       grid_(new QGridLayout),
       unrolledView_(new PlotView(
           [this](double width, double height) {
@@ -82,12 +86,16 @@ PlanView::PlanView(QWidget* parent)
   auto* left = new QVBoxLayout;
   left->setSpacing(spacing);
   left->addLayout(grid_, 1);
+  left->addWidget(showsBone_);
   left->addWidget(unrolledView_);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(spacing);
   row->addLayout(left, 1);
   row->addWidget(aside_);
+  showsBone_->setObjectName(QStringLiteral("planBone"));
+  showsBone_->setChecked(true);
+  connect(showsBone_, &QCheckBox::toggled, this, &PlanView::refreshBone);
   connect(&work_, &PlanShapeWork::shapeRun, this, &PlanView::showShape);
   connect(&work_, &PlanShapeWork::failed, this, &PlanView::failed);
 }
@@ -172,6 +180,7 @@ void PlanView::arrange(std::size_t count)
   }
   const bool isOne = count == 1;
   unrolledView_->setVisible(isOne);
+  showsBone_->setVisible(isOne);
   aside_->setCurrentIndex(isOne ? detailsStage : forcesStage);
 }
 
@@ -207,10 +216,19 @@ void PlanView::showShape(std::size_t place, const PlanShapeWork::Shape& shape)
   panes_[place].title->setText(shapeTitle(plan_->arrays[arrays_[place]], shape->insertion));
   panes_[place].scene->show(shape);
   panes_[place].scene->showForces(arrays_.size() == 1);
+  refreshBone();
   if (place > 0) panes_[place].scene->lookAs(*panes_[0].scene);
   if (arrays_.size() > 1) return;
   unrolled_ = std::make_unique<Unrolled>(shape);
   unrolledView_->refresh();
+}
+
+void PlanView::refreshBone()
+{
+  if (!plan_ || arrays_.size() != 1) return;
+  const anatomy::Patient& patient = plan_->request.patient;
+  panes_[0].scene->showBone(showsBone_->isChecked(), boneSource_ ? boneSource_(patient) : nullptr,
+                            isMeasuredInCt(patient) ? CochleaOrigin::ct : CochleaOrigin::numbers);
 }
 
 std::size_t PlanView::shownScenes() const

@@ -8,8 +8,10 @@
 #include <memory>
 
 #include "gui/pages/plan/PlanShapeWork.h"
+#include "gui/scene/BoneNote.h"
 #include "perilymph/charts/UnrolledScala.h"
 
+class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QStackedWidget;
@@ -38,6 +40,10 @@ public:
   void cancel() { work_.cancel(); }
   /// Pictures that show their array.
   std::size_t shownScenes() const;
+  /// Where bone of patients is.
+  void setBoneSource(BoneSource source) { boneSource_ = std::move(source); }
+  /// Shows the bone as it is now.
+  void refreshBone();
   PlanScene& scene(std::size_t place) { return *panes_[place].scene; }
 
 Q_SIGNALS:
@@ -57,11 +63,13 @@ private:
   void arrange(std::size_t count);
   void showShape(std::size_t place, const PlanShapeWork::Shape& shape);
 
+  BoneSource boneSource_;
   PlanShapeWork work_;
   PlanWork::SharedPlan plan_;
   std::vector<std::size_t> arrays_;
   std::string madeUtc_;  ///< When the plan was made.
   std::unique_ptr<Unrolled> unrolled_;
+  QCheckBox* showsBone_;
   QGridLayout* grid_;
   std::array<Pane, maxArrays> panes_{};
   PlotView* unrolledView_;

@@ -11,6 +11,7 @@
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/electrode/ArrayDesign.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/visualization/BoneLayer.h"
 #include "perilymph/visualization/Quality.h"
 #include "perilymph/visualization/SceneStyle.h"
 
@@ -20,7 +21,14 @@ class vtkRenderWindow;
 namespace perilymph::visualization {
 
 /// Optional parts of the scene.
-enum class Part { wallForce, contactArrows, membrane, styletAndTweezers, scala };
+enum class Part {
+  wallForce,
+  contactArrows,
+  membrane,
+  styletAndTweezers,
+  scala,
+  landmarks  ///< Round window, axis, approach and, where it is known, the bone; hidden at first.
+};
 
 /// Camera presets.
 enum class CameraPreset {
@@ -51,6 +59,9 @@ struct FreeArea {
 /// 250 mm.
 inline constexpr double eyeAngle_deg = 5.5;
 
+/// Round window, modiolar axis and line of approach of a scala [m, W].
+SceneLandmarks landmarksOf(const anatomy::ScalaTympani& scala);
+
 /// The scala tympani, the array in it and the forces between them. Millimeters inside VTK; a left
 /// ear is mirrored here, y to -y.
 ///
@@ -79,6 +90,8 @@ public:
 
   void setVisible(Part part, bool visible);
   bool isVisible(Part part) const;
+  /// Bone of the patient's CT in W, and the landmarks, which are those of the scala.
+  BoneLayer& bone();
   /// Shows and hides the same parts as another scene.
   void showPartsOf(const InsertionScene& other);
   /// Sets the stereo mode. The focal plane has no disparity; a point at height h toward the viewer

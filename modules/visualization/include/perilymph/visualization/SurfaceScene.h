@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "perilymph/anatomy/Surface.h"
+#include "perilymph/visualization/BoneLayer.h"
 #include "perilymph/visualization/SceneStyle.h"
 
 class vtkRenderer;
@@ -15,10 +16,11 @@ class vtkRenderWindow;
 
 namespace perilymph::visualization {
 
-/// A translucent surface in the frame of its points, seen in parallel projection. Millimeters.
+/// A translucent surface in the frame of its points, and the bone around it, seen in parallel
+/// projection. Millimeters.
 class SurfaceScene {
 public:
-  /// @param surface  Points in meters, triangles with outward normals.
+  /// @param surface  Points in meters, triangles with outward normals; may be empty.
   explicit SurfaceScene(const anatomy::Surface& surface, const SceneStyle& style = {});
   ~SurfaceScene();
   SurfaceScene(const SurfaceScene&) = delete;
@@ -33,7 +35,13 @@ public:
   /// Shows a line of tubes, such as an array's center line; none if empty [mm].
   void setPath(const std::vector<Eigen::Vector3d>& points_mm, double radius_mm);
 
-  /// Looks along a direction with another one downward in the picture, the whole surface in view.
+  /// Bone around the surface and landmarks, in meters; shown at first.
+  BoneLayer& bone();
+  /// Scales lines for a screen's pixel ratio; 1 by default.
+  void setScale(double pixelRatio);
+
+  /// Looks along a direction with another one downward in the picture, the whole surface in view;
+  /// without one the whole bone.
   void lookAlong(const Eigen::Vector3d& away, const Eigen::Vector3d& down);
   /// Rotates the surface under the camera.
   void rotate(double azimuth_deg, double elevation_deg);

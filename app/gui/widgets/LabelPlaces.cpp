@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "gui/pages/ct/LabelPlaces.h"
+#include "gui/widgets/LabelPlaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ bool areCrossing(const QLineF& one, const QLineF& other)
          one.intersects(other, nullptr) == QLineF::BoundedIntersection;
 }
 
-bool isCrossing(const QLineF& line, const QRectF& area)
+bool isCrossing(const QLineF& leader, const QRectF& area)
 {
-  if (line.isNull() || area.isNull()) return false;
-  return area.contains(line.p1()) || area.contains(line.p2()) ||
-         areCrossing(line, {area.topLeft(), area.topRight()}) ||
-         areCrossing(line, {area.topRight(), area.bottomRight()}) ||
-         areCrossing(line, {area.bottomRight(), area.bottomLeft()}) ||
-         areCrossing(line, {area.bottomLeft(), area.topLeft()});
+  if (leader.isNull() || area.isNull()) return false;
+  return area.contains(leader.p1()) || area.contains(leader.p2()) ||
+         areCrossing(leader, {area.topLeft(), area.topRight()}) ||
+         areCrossing(leader, {area.topRight(), area.bottomRight()}) ||
+         areCrossing(leader, {area.bottomRight(), area.bottomLeft()}) ||
+         areCrossing(leader, {area.bottomLeft(), area.topLeft()});
 }
 
 /// A rectangle whose edge is a distance from a point, in a direction from it.
@@ -50,10 +50,10 @@ QLineF leaderLine(const QPointF& point, const QRectF& label)
   if (label.isNull()) return {};
   const QPointF end(std::clamp(point.x(), label.left(), label.right()),
                     std::clamp(point.y(), label.top(), label.bottom()));
-  const QLineF line(point, end);
-  if (line.length() <= beside_px) return {};
+  const QLineF whole(point, end);
+  if (whole.length() <= beside_px) return {};
   // from the ring on
-  return {line.pointAt(pointRadius_px / line.length()), end};
+  return {whole.pointAt(pointRadius_px / whole.length()), end};
 }
 
 std::vector<QRectF> placeLabels(const std::vector<LabelledPoint>& labels, const QRectF& pane,
@@ -73,8 +73,8 @@ std::vector<QRectF> placeLabels(const std::vector<LabelledPoint>& labels, const 
   const auto isClear = [&](const QPointF& point, const QRectF& area) {
     const QLineF leader = leaderLine(point, area);
     return std::ranges::none_of(leaders,
-                                [&](const QLineF& line) {
-                                  return areCrossing(line, leader) || isCrossing(line, area);
+                                [&](const QLineF& other) {
+                                  return areCrossing(other, leader) || isCrossing(other, area);
                                 }) &&
            std::ranges::none_of(places,
                                 [&](const QRectF& place) { return isCrossing(leader, place); });

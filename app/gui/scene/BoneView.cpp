@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
+#include "gui/scene/RendererName.h"
 #include "gui/scene/SceneLabels.h"
 #include "gui/widgets/Theme.h"
 
@@ -43,7 +44,11 @@ void BoneView::render()
 
 void BoneView::renderMoving()
 {
-  layer()->setMoving(true);
+  if (!isSoftware_) {
+    makeCurrent();
+    isSoftware_ = isSoftwareRenderer(rendererOf(*this));
+  }
+  layer()->setMoving(*isSoftware_);  // a graphics card always draws the fine surface
   render();
   rest_.start();
   onMoved();

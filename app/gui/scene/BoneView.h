@@ -4,6 +4,7 @@
 // A 3D view with bone that is cut open, turned by mouse and keys.
 
 #include <QTimer>
+#include <optional>
 
 #include "gui/scene/PlainVtkWidget.h"
 
@@ -18,7 +19,7 @@ class SceneLabels;
 /// The base of views of a scene with bone and landmarks:
 /// - left button: rotates; at the handle or with Ctrl: moves the cut; right button, wheel: zoom;
 /// - arrow keys rotate, + and - zoom, Page Up and Page Down move the cut, V turns it to the viewer.
-/// While something moves, the bone is coarse.
+/// While something moves, the bone is coarse, except on a graphics card.
 class BoneView : public PlainVtkWidget {
   Q_OBJECT
 public:
@@ -63,6 +64,7 @@ private:
   QString note_;
   QPointF mouse_;
   bool isCutHeld_ = false;
+  std::optional<bool> isSoftware_;  ///< Drawn by the processor; empty before the first motion.
   QTimer rest_;
 };
 

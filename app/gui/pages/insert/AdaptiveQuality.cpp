@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/AdaptiveQuality.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <utility>
+
+#include "gui/scene/RendererName.h"
 
 namespace perilymph::gui {
 
@@ -34,22 +33,8 @@ std::optional<QualityChoice> qualityNamed(const std::string& name)
 }
 
 AdaptiveQuality::AdaptiveQuality(const std::string& renderer)
-    : initial_(isSoftware(renderer) ? Quality::software : Quality::gpu), measured_(initial_)
+    : initial_(isSoftwareRenderer(renderer) ? Quality::software : Quality::gpu), measured_(initial_)
 {
-}
-
-bool AdaptiveQuality::isSoftware(const std::string& renderer)
-{
-  std::string name = renderer;
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  // Mesa's three, and those of Windows and macOS; an unknown renderer is not regarded as a graphics
-  // card
-  constexpr std::array<const char*, 5> known{"llvmpipe", "softpipe", "swrast", "gdi generic",
-                                             "software"};
-  return name.empty() || std::any_of(known.begin(), known.end(), [&](const char* one) {
-           return name.find(one) != std::string::npos;
-         });
 }
 
 void AdaptiveQuality::choose(QualityChoice choice) { choice_ = choice; }

@@ -39,9 +39,6 @@ public:
   /// Evaluates the first frames. @return Whether the quality changed.
   bool weigh(std::size_t frames, double span_s, double median_ms);
 
-  /// Whether a renderer with this name uses the CPU.
-  static bool isSoftware(const std::string& renderer);
-
 private:
   QualityChoice choice_;
   visualization::Quality initial_, measured_;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gui/scene/RendererName.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QOpenGLWidget>
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace perilymph::gui {
+
+bool isSoftwareRenderer(const std::string& renderer)
+{
+  std::string name = renderer;
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  // Mesa's three, and those of Windows and macOS; an unknown renderer is not regarded as a graphics
+  // card
+  constexpr std::array<const char*, 5> known{"llvmpipe", "softpipe", "swrast", "gdi generic",
+                                             "software"};
+  return name.empty() || std::any_of(known.begin(), known.end(), [&](const char* one) {
+           return name.find(one) != std::string::npos;
+         });
+}
+
+std::string rendererOf(const QOpenGLWidget& view)
+{
+  if (!view.isValid()) return {};
+  const auto* name = view.context()->functions()->glGetString(GL_RENDERER);
+  return name == nullptr ? std::string() : reinterpret_cast<const char*>(name);
+}
+
+}  // namespace perilymph::gui

@@ -16,6 +16,8 @@ constexpr int ringPoints = 48;
 constexpr double line_px = 1.3;     // half the width
 constexpr double toward_mm = 45.0;  // before bone and cochlea, behind the near plane of the camera
 constexpr double arrow_mm = 1.0;
+// Part of the line from the opening to where its label points: near it, which every view of the ear shows.
+constexpr double approachLabel = 0.12;
 
 Eigen::Vector2d placeIn(vtkRenderer& renderer, const Eigen::Vector3d& point)
 {
@@ -83,7 +85,7 @@ std::vector<SceneAnchor> LandmarkParts::anchorsIn(vtkRenderer& renderer) const
     anchors.push_back({Kind::basalTurnAxis, 0, {}, placeIn(renderer, (*places_.axis)[1])});
   if (places_.approach) {
     const auto& [from, to] = *places_.approach;
-    anchors.push_back({Kind::approach, 0, {}, placeIn(renderer, to + 0.3 * (from - to))});
+    anchors.push_back({Kind::approach, 0, {}, placeIn(renderer, to + approachLabel * (from - to))});
   }
   for (std::size_t k = 0; k < places_.contacts.size(); ++k)
     anchors.push_back(

@@ -230,6 +230,9 @@ NamedArray replaced(const NamedArray& one, const py::object& name, const py::obj
     changed.insert("ribs");
   }
   if (changed.count("diameter") + changed.count("bending") > 0) array.taper.reset();
+  // what is given stands: the stiffness follows the stated wires no more
+  if (changed.count("diameter") + changed.count("bending") > 0 || !contacts.is_none())
+    array.wires.reset();
   for (const std::string& each : without) {
     if (each == "ribs")
       array.ribsFromTip.clear();
@@ -381,7 +384,12 @@ void defineArrays(py::module_& module)
            "Another width gives the thickness the same ratio to it, another bending stiffness the "
            "stiffnesses across the plane of curl and in torsion, unless they are given; a width "
            "does not change a stiffness. A changed width or stiffness drops the range of its "
-           "taper.\nwithout: tables to leave out: 'ribs', 'stylet', 'taper', 'tip', 'wires'.\n"
+           "taper, and these or other contacts its wires: the array runs as it states then, "
+           "whatever "
+           "wire_packing and taper_fraction a scenario has. To change an array as a scenario runs "
+           "it, "
+           "begin with read_scenario(...).array.\nwithout: tables to leave out: 'ribs', 'stylet', "
+           "'taper', 'tip', 'wires'.\n"
            "source: stated for what is changed, with low confidence.")
       .def(
           "text", [](const NamedArray& one) { return textOf(electrode::arrayText(one.design)); },

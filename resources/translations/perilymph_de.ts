@@ -4678,6 +4678,10 @@
         <source>22 half-band contacts over an active length of 15 mm, pitch 0.4 to 0.8 mm growing from the tip: general literature, not measured. The first contact&apos;s place, the law of the pitch and the contact&apos;s length are choices.</source>
         <translation>22 Halbbandkontakte auf einer aktiven Länge von 15 mm, Abstand von der Spitze an von 0,4 auf 0,8 mm wachsend: allgemeine Literatur, nicht gemessen. Lage des ersten Kontakts, Verlauf der Abstände und Kontaktlänge sind Wahl.</translation>
     </message>
+    <message>
+        <source>The cochlea was fitted badly to its images: angles may be wrong by more than their intervals. Check the outline of the cochlea, or give another CT before surgery.</source>
+        <translation>Die Cochlea passt schlecht zu ihren Bildern: Winkel können weiter abweichen als ihre Intervalle. Prüfen Sie den Umriss der Cochlea oder geben Sie ein anderes CT vor der Operation an.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

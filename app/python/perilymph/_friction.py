@@ -2,6 +2,7 @@
 """Friction of an array on the lining, built in Python."""
 
 import json
+import math
 from dataclasses import dataclass
 from typing import Optional
 
@@ -38,6 +39,13 @@ class Friction:
         keep("stopping", dynamic / 2.0 if self.stopping is None else float(self.stopping))
         for name in ("stribeck_mm_s", "shared_sd_log", "ear_sd_log"):
             keep(name, float(getattr(self, name)))
+        for name in ("static", "dynamic", "stopping", "stribeck_mm_s", "shared_sd_log", "ear_sd_log", "speed_mm_s", "coefficient"):
+            value = getattr(self, name)
+            for each in value if isinstance(value, tuple) else (value,):
+                if not (math.isfinite(each) and each >= 0.0):
+                    from perilymph import Error  # the engine loads this module while it is loaded itself
+
+                    raise Error(f"{name} of a friction is {each}; it must be a finite number of at least 0. Correct it.")
 
     def scenario_values(self) -> dict[str, object]:
         """Its values by the keys of a scenario."""

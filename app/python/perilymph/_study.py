@@ -37,6 +37,8 @@ def _value(key, value):
     if isinstance(value, numbers.Integral):
         return int(value)
     if isinstance(value, numbers.Real):
+        if not math.isfinite(value):
+            raise Error(f"The value of '{key}' is {value}; it must be a finite number. Correct it.")
         return float(value)
     raise TypeError(f"the value of '{key}' must be a number, text, True or False, a path, an Array or a Friction")
 
@@ -76,23 +78,27 @@ def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, p
     if isinstance(patients, (str, Patient, Cochlea)):
         raise TypeError("patients must be a list")
     place = os.fspath(folder)
+    former = _Former(place)
     try:
         os.makedirs(os.path.join(place, "patients") if len(patients) else place, exist_ok=True)
         files = []
         for number, given in enumerate(patients, 1):
             patient = given.patient if isinstance(given, Cochlea) else given if isinstance(given, Patient) else read_patient(given)
             files.append(f"patients/{number}.toml")
-            _write(os.path.join(place, files[-1]), patient.text())
+            former.write(files[-1], patient.text())
         text = "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in head.items())
         text += _table("cochleae", {"mean": bool(mean), "virtual": _value("cochleae", cochleae)} | ({"patients": files} if files else {}))
         text += _table("vary", {key: _list(key, values) for key, values in dict(vary or {}).items()})
         text += _table("ranges", {key: _list(key, ends) for key, ends in dict(ranges or {}).items()})
         text += _table("results", {"contacts": bool(contacts), "profile_spacing_mm": _value("profile_spacing_mm", profile_spacing_mm)})
-        file = os.path.join(place, "study.toml")
-        _write(file, text)
+        former.write("study.toml", text)
     except OSError as error:
         raise Error(f"{error.filename} cannot be written: {error.strerror}. Name a folder that is writable.") from None
-    return _run_study(file, place, jobs, progress)
+    try:
+        return _run_study(os.path.join(place, "study.toml"), place, jobs, progress)
+    except Error:
+        former.restore()
+        raise
 
 
 def with_names(columns):
@@ -115,13 +121,33 @@ def with_names(columns):
     return columns
 
 
-def _write(file, text):
-    """Writes a file unless it has this text, so that a study that goes on finds what it was made of."""
-    try:
-        with open(file, encoding="utf-8") as stream:
-            if stream.read() == text:
-                return
-    except (OSError, ValueError):
-        pass
-    with open(file, "w", encoding="utf-8") as stream:
-        stream.write(text)
+class _Former:
+    """The files of a study's folder as they were: where it has results, they belong to these, and a study that is refused changes none."""
+
+    def __init__(self, folder):
+        self._folder = folder
+        self._has_results = any(each.endswith(".sqlite") for each in os.listdir(folder)) if os.path.isdir(folder) else False
+        self._texts = {}
+
+    def write(self, name, text):
+        """Writes a file unless it has this text, so that a study that goes on finds what it was made of."""
+        file = os.path.join(self._folder, name)
+        try:
+            with open(file, "rb") as stream:
+                before = stream.read()
+        except OSError:
+            before = None
+        if before == text.encode():
+            return
+        self._texts[name] = before
+        with open(file, "wb") as stream:
+            stream.write(text.encode())
+
+    def restore(self):
+        for name, before in self._texts.items() if self._has_results else ():
+            file = os.path.join(self._folder, name)
+            if before is None:
+                os.remove(file)
+            else:
+                with open(file, "wb") as stream:
+                    stream.write(before)

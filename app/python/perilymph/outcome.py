@@ -288,6 +288,8 @@ def _contact_columns(page):
         estimated(key)
     for name in ("filter_Hz", "mismatch_semitones"):
         found[name] = maybe(name)
+    for ending in ("low95", "high95"):
+        found[f"mismatch_{ending}_semitones"] = 12.0 * np.log2(found[f"spiral_ganglion_{ending}_Hz"] / found["filter_Hz"])
     found["in_scala_tympani"] = inside(lambda each: each["in_scala_tympani"])
     found["error_mm"] = column(lambda each: number_of(each["error_mm"]))
     for name in ("modiolus_mm", "outer_wall_mm"):

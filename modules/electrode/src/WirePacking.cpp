@@ -42,7 +42,7 @@ double wiresAt(const ArrayDesign& array, Length fromTip)
 
 std::optional<double> wirePacking(const ArrayDesign& array)
 {
-  if (array.hasStylet || array.yields() || array.contactsFromTip.empty() ||
+  if (!array.wires || array.hasStylet || array.yields() || array.contactsFromTip.empty() ||
       array.diameter.fromTip.empty())
     return std::nullopt;
   double sum = 0.0, weight = 0.0;

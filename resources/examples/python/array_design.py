@@ -17,13 +17,13 @@ import perilymph
 
 LIMIT_N = 0.06
 COARSE = {"nodes": 50, "dt_ms": 10, "stop_force_N": LIMIT_N, "start_inside_mm": 1, "stop_travel_mm": 27}
-FLEX28 = perilymph.read_array("flex28")
+FLEX28 = perilymph.read_scenario("surgery-flex28").array  # as this scenario runs it
 PLACE_MM = np.linspace(0.0, FLEX28.length_mm, 16)
 
 
 def design(tip, base):
     factor = np.interp(PLACE_MM, [0.0, FLEX28.length_mm], [tip, base])
-    return FLEX28.replace(name=f"{tip:.2f}, {base:.2f}", without=["wires"],
+    return FLEX28.replace(name=f"{tip:.2f}, {base:.2f}",
                           bending_stiffness_Nm2=(PLACE_MM, factor * FLEX28.bending_stiffness_Nm2(PLACE_MM)))
 
 

@@ -38,6 +38,33 @@ OBJECTS = {
 }
 
 
+@pytest.mark.parametrize("array", ["flex28", "slim-straight"])
+def test_a_changed_array_runs_as_it_states(array):
+    short = {"array": array, "stop_travel_mm": 20}
+    as_run = perilymph.read_scenario("surgery-flex28", short).array
+    places = as_run.knots_mm["bending_stiffness_Nm2"]
+    for factor in (0.5, 0.9, 0.999, 1.001, 1.1, 1.2):
+        wanted = factor * as_run.bending_stiffness_Nm2(places)
+        own = as_run.replace(name="Own", bending_stiffness_Nm2=(places, wanted))
+        scenario = perilymph.read_scenario("surgery-flex28", short | {"array": own})
+        np.testing.assert_allclose(scenario.array.bending_stiffness_Nm2(places), wanted, rtol=1e-12)
+        assert any("wire_packing" in note for note in scenario.notes)
+    widths = 0.9 * as_run.width_mm(places)
+    for changed in (as_run.replace(name="Own", width_mm=(places, widths)),
+                    as_run.replace(name="Own", contacts_from_tip_mm=np.linspace(1, 0.8 * as_run.insertable_mm, 16))):
+        ran = perilymph.read_scenario("surgery-flex28", short | {"array": changed}).array
+        np.testing.assert_allclose(ran.bending_stiffness_Nm2(places), as_run.bending_stiffness_Nm2(places), rtol=1e-12)
+        np.testing.assert_allclose(ran.width_mm(places), changed.width_mm(places), rtol=1e-12)
+    assert not any("wire_packing" in note for note in perilymph.read_scenario("surgery-flex28", short).notes)
+
+
+@pytest.mark.parametrize("values", [{"static": -0.1}, {"static": float("nan")}, {"static": 0.1, "dynamic": -0.2}, {"static": 0.1, "stopping": -1},
+                                    {"static": 0.2, "speed_mm_s": [0, float("inf")], "coefficient": [0.2, 0.1]}])
+def test_a_friction_that_no_surface_has_is_refused_where_it_is_built(values):
+    with pytest.raises(perilymph.Error, match="of a friction is"):
+        perilymph.Friction(**values)
+
+
 @pytest.mark.parametrize("name", OBJECTS)
 def test_equal_objects_are_equal_and_copies_are(name):
     make, other = OBJECTS[name]
@@ -440,3 +467,20 @@ def test_processes_take_objects_and_return_results(method):
     expected = [depth_of(each) for each in tasks]
     with multiprocessing.get_context(method).Pool(2) as pool:
         assert pool.map_async(depth_of, tasks).get(timeout=200) == expected
+
+
+def test_a_study_that_is_refused_leaves_the_files_of_the_one_before(tmp_path):
+    def run(stiffness, a_mm=9.0):
+        return perilymph.study("surgery-flex28", tmp_path / "study", depth="scenario", patients=[perilymph.Patient(a_mm=a_mm, b_mm=6.6)],
+                               vary={"stiffness_scale": [stiffness], "nodes": [30], "dt_ms": [10], "stop_travel_mm": [2]})
+
+    run(0.9)
+    before = {file: file.read_bytes() for file in (tmp_path / "study").rglob("*.toml")}
+    assert len(before) == 2
+    for stiffness, a_mm in ((0.8, 9.0), (0.9, 9.4)):
+        with pytest.raises(perilymph.Error, match="another study"):
+            run(stiffness, a_mm)
+        assert {file: file.read_bytes() for file in (tmp_path / "study").rglob("*.toml")} == before
+    with pytest.raises(perilymph.Error, match="'stiffness_scale' is nan"):
+        run(float("nan"))
+    assert run(0.9) == perilymph.read_study(tmp_path / "study")

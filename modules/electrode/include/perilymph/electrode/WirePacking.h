@@ -15,8 +15,8 @@ namespace perilymph::electrode {
 /// N(s): one wire for each contact nearer to the tip, linear between contacts and at least 1.
 double wiresAt(const ArrayDesign& array, Length fromTip);
 
-/// c of an array's bending stiffness, by least squares over its knots; none if the model does not give
-/// the stiffness to 10 % at every knot, as where it was measured or fitted, and none of an array with a
+/// c of an array's bending stiffness, by least squares over its knots; none if the array states no wires or the model
+/// does not give the stiffness to 10 % at every knot, as where it was measured or fitted, and none of an array with a
 /// stylet or sheath: c would change the moment with which it curls, which that part has to hold. None of
 /// wires that yield either: the lower values of c stand for what yielding takes, which would count twice.
 std::optional<double> wirePacking(const ArrayDesign& array);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "perilymph/analysis/PhysicalRanges.h"
+#include "perilymph/anatomy/AnatomySource.h"
 #include "perilymph/figures/Strings.h"
 #include "perilymph/planning/PlanSummary.h"
 
@@ -108,9 +109,11 @@ Result<void> checkOutcome(const MeasuredOutcome& outcome, const Sentence& name)
                                      *outcome.angle_deg, analysis::physical::angle_deg, name);
         !done)
       return done.error();
-  // beyond its own length within three errors no array lies in a cochlea
+  // Beyond its own length within three errors no array lies in a cochlea. It counts from the opening, which is before
+  // the round window: an array that is in up to its mark at the window is deeper by as much.
   constexpr double errors = 3.0;
-  const double longest_mm = outcome.plan.insertable_mm + errors * outcome.depth_mm.sd;
+  const double longest_mm = outcome.plan.insertable_mm + inMillimeters(anatomy::Cochlea{}.leadIn) +
+                            errors * outcome.depth_mm.sd;
   if (outcome.plan.insertable_mm > 0.0 && outcome.depth_mm.value > longest_mm)
     return Error{
         "The inserted length of %1 is %2 mm, and %3 is %4 mm long. Check that the CT is of this "

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Order of what the search of Sphinx finds. The index holds only which page has a word, not how often. Who uses the program comes
-// before who changes it: a definition, then the pages of the guide, then the code and its history. The numbers are choices; those
-// of Scorer itself are Sphinx's own. A result is [page, title, anchor, description, score, file].
+// before who changes it: a definition, then the pages of the guide, then the code and its history. The numbers are choices: a page
+// that has a word gets 5, one that has it in a heading 15; those of Scorer itself are Sphinx's own. A result is [page, title, anchor, description, score, file].
 const groups = [
-  [/^resources\/guide\/glossary$/, 1.0, 6],
-  [/^resources\/guide\/(contributing|proof|reference|decisions\/.*)$/, 0.25, 0],
+  [/^resources\/guide\/(de\/)?glossary$/, 1.0, 15],
+  [/^resources\/guide\/(contributing|performance|proof|reference|decisions\/.*)$/, 0.25, 0],
   [/^resources\/guide\/de\//, 1.0, 1],
   [/^resources\/guide\//, 1.0, 4],
   [/^(modules|app|plugins|test)\/|CHANGELOG$/, 0.25, 0],

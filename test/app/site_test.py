@@ -179,16 +179,30 @@ class Site(unittest.TestCase):
             with self.subTest(words=words):
                 self.assertIn(WANTED[words], pages)
 
+    def browse(self, address):
+        """The page as a browser without a network has it, and the words of its scripts."""
+        with tempfile.TemporaryDirectory() as profile:
+            shown = subprocess.run(
+                [BROWSER, "--headless=new", "--no-sandbox", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND",
+                 "--enable-logging=stderr", f"--user-data-dir={profile}", "--virtual-time-budget=8000", "--dump-dom",
+                 f"file://{self.site}/{address}"], capture_output=True, text=True, timeout=60, check=True)
+        return shown.stdout, [line for line in shown.stderr.splitlines() if "CONSOLE" in line]
+
+    @unittest.skipIf(BROWSER is None, "chromium is not installed")
+    def test_a_browser_runs_the_scripts_without_an_error(self):
+        for address in ("index.html", "resources/guide/surgeon.html", "search.html?q=friction"):
+            page, words = self.browse(address)
+            with self.subTest(page=address):
+                self.assertEqual([line for line in words if re.search("Uncaught|Error|blocked|Failed", line)], [])
+                # Furo's script removes the class that is for browsers without scripts.
+                self.assertNotIn("no-js", re.search("<html[^>]*>", page).group(0))
+
     @unittest.skipIf(BROWSER is None, "chromium is not installed")
     def test_a_browser_shows_the_page_among_the_first_results(self):
         for words, wanted in WANTED.items():
-            with self.subTest(words=words), tempfile.TemporaryDirectory() as profile:
-                shown = subprocess.run(
-                    [BROWSER, "--headless=new", "--no-sandbox", "--disable-gpu", "--host-resolver-rules=MAP * ~NOTFOUND",
-                     f"--user-data-dir={profile}", "--virtual-time-budget=8000", "--dump-dom",
-                     f"file://{self.site}/search.html?q={quote(words)}"],
-                    capture_output=True, text=True, timeout=60, check=True).stdout
-                results = re.search(r'<ul class="search".*?</ul>', shown, re.DOTALL).group(0)
+            with self.subTest(words=words):
+                page, _ = self.browse(f"search.html?q={quote(words)}")
+                results = re.search(r'id="search-results".*?</ul>', page, re.DOTALL).group(0)
                 pages = [re.sub(r"\.html.*", "", address) for address in re.findall(r'href="([^"]*)"', results)]
                 self.assertIn(wanted, list(dict.fromkeys(pages))[:LOOKED_AT])
 

@@ -4,6 +4,7 @@
 #   perilymph          both programs and what they need
 #   perilymph-dev      the header of device plug-ins and its CMake package
 #   python3-perilymph  the Python package, with its examples
+#   perilymph-doc      the guide as HTML, where PERILYMPH_SITE names the folder that packaging/site wrote
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(share "${CMAKE_INSTALL_DATADIR}")
@@ -81,6 +82,17 @@ if(TARGET perilymph_python)
   compressed(packaging/debian/changelog changelog "${share}/doc/python3-perilymph" python)
 endif()
 
+# The guide as HTML.
+set(PERILYMPH_SITE "" CACHE PATH "Folder of the guide as HTML, written by packaging/site")
+if(PERILYMPH_SITE)
+  install(DIRECTORY "${PERILYMPH_SITE}/" DESTINATION "${share}/doc/perilymph-doc/html" COMPONENT guide)
+  install(FILES packaging/debian/perilymph-doc.doc-base RENAME perilymph-doc COMPONENT guide DESTINATION "${share}/doc-base")
+  install(FILES packaging/debian/perilymph-doc.lintian-overrides RENAME perilymph-doc COMPONENT guide
+    DESTINATION "${share}/lintian/overrides")
+  install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph-doc" COMPONENT guide)
+  compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-doc" guide)
+endif()
+
 # dpkg takes 0.3.0~dev for older than 0.3.0.
 string(REPLACE "-" "~" CPACK_PACKAGE_VERSION "${PROJECT_VERSION}${PERILYMPH_VERSION_SUFFIX}")
 set(CPACK_GENERATOR DEB)
@@ -93,6 +105,9 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_COMPONENTS_ALL program sdk)
 if(TARGET perilymph_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+if(PERILYMPH_SITE)
+  list(APPEND CPACK_COMPONENTS_ALL guide)
 endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -131,4 +146,17 @@ measures, electrode arrays, simulated insertions, plans, and the reading of
 studies and recordings.
 .
 For research and training. It is not a medical device.")
+set(CPACK_DEBIAN_GUIDE_PACKAGE_NAME perilymph-doc)
+set(CPACK_DEBIAN_GUIDE_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_GUIDE_PACKAGE_ARCHITECTURE all)
+# Scripts of the search, of the Sphinx that wrote the index.
+if(PERILYMPH_SITE)
+  execute_process(COMMAND dpkg-query -W -f "\${Version}" libjs-sphinxdoc OUTPUT_VARIABLE sphinx COMMAND_ERROR_IS_FATAL ANY)
+  string(REGEX MATCH "^[0-9]+" sphinx "${sphinx}")
+  math(EXPR next "${sphinx} + 1")
+  set(CPACK_DEBIAN_GUIDE_PACKAGE_DEPENDS "libjs-sphinxdoc (>= ${sphinx}), libjs-sphinxdoc (<< ${next}~)")
+endif()
+set(CPACK_DEBIAN_GUIDE_PACKAGE_SUGGESTS "perilymph, www-browser")
+set(CPACK_DEBIAN_GUIDE_DESCRIPTION "Perilymph's guide for a browser, without a network: tutorials in English and
+German, glossary, methods, the reference of all keys and columns, and a search.")
 include(CPack)

@@ -50,6 +50,11 @@ class InstallDependencies(PretendedSystem):
         self.assertEqual(self.call(SCRIPT, "build").returncode, 0)
         self.assertEqual(self.calls("apt-get")[-1].split()[-1], "libvtk9-dev")
 
+    def test_the_test_brings_what_makes_the_site(self):
+        self.pretend_packages("furo", "libvtk9-dev")
+        self.assertEqual(self.call(SCRIPT, "test").returncode, 0)
+        self.assertEqual(self.calls("apt-get")[-1].split()[-1], "furo")
+
     def test_missing_packages_are_named_and_not_installed(self):
         self.pretend_packages("libeigen3-dev", "libvtk9-dev")
         result = self.call(SCRIPT, "--missing", "build")

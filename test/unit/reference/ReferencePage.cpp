@@ -227,7 +227,7 @@ std::string referencePage()
       "tympani.\n\n" +
       keys(patientFile(), false) +
       "\n## Keys of an array\n\n"
-      "A TOML file ([your own array](plugins.md#an-electrode-array)). Every table also has "
+      "A TOML file ([your own array](plugins.md#an-array)). Every table also has "
       "`source` "
       "and `confidence` (high, medium or\nlow). *Required* is within its table. Limits that depend "
       "on another key are those of an array of 30 mm.\n\n" +

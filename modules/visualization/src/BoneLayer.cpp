@@ -15,14 +15,6 @@ namespace {
 
 constexpr double shortest_per_mm = 0.35;  // of a pixel's size: a cut that faces the viewer (choice)
 
-Eigen::Vector2d placeIn(vtkRenderer& renderer, const Eigen::Vector3d& point)
-{
-  renderer.SetWorldPoint(point.x(), point.y(), point.z(), 1.0);
-  renderer.WorldToDisplay();
-  const double* at = renderer.GetDisplayPoint();
-  return {at[0], renderer.GetSize()[1] - at[1]};
-}
-
 }  // namespace
 
 CutPlane moved(const CutPlane& cut, double length, const BoneModel& bone)

@@ -19,6 +19,8 @@ constexpr double arrow_mm = 1.0;
 // Part of the line from the opening to where its label points: near it, which every view of the ear shows.
 constexpr double approachLabel = 0.12;
 
+}  // namespace
+
 Eigen::Vector2d placeIn(vtkRenderer& renderer, const Eigen::Vector3d& point)
 {
   renderer.SetWorldPoint(point.x(), point.y(), point.z(), 1.0);
@@ -26,8 +28,6 @@ Eigen::Vector2d placeIn(vtkRenderer& renderer, const Eigen::Vector3d& point)
   const double* at = renderer.GetDisplayPoint();
   return {at[0], renderer.GetSize()[1] - at[1]};
 }
-
-}  // namespace
 
 LandmarkParts::LandmarkParts(const SceneColors& palette) : palette_(palette) {}
 

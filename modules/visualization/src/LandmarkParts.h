@@ -18,6 +18,9 @@ class vtkRenderer;
 
 namespace perilymph::visualization {
 
+/// Where a point of picture space is in a renderer's picture [px], from the upper left corner.
+Eigen::Vector2d placeIn(vtkRenderer& renderer, const Eigen::Vector3d& point);
+
 /// Places in picture space [mm].
 struct LandmarkPlaces {
   std::optional<Eigen::Vector3d> roundWindow;

@@ -90,14 +90,6 @@ std::vector<std::int16_t> averaged(const ct::CtVolume& volume)
   return voxels;
 }
 
-/// The value that a share of sorted-out values is below.
-std::int16_t valueAt(std::vector<std::int16_t>& values, std::size_t place)
-{
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Intensity above which an averaged voxel is metal.
 Result<double> metalLevel(const std::vector<std::int16_t>& voxels)
 {
@@ -105,9 +97,10 @@ Result<double> metalLevel(const std::vector<std::int16_t>& voxels)
   for (std::size_t i = 0; i < voxels.size(); i += 3)
     if (voxels[i] > boneFrom) bone.push_back(voxels[i]);
   if (bone.size() < 100) return Error{"The CT shows no bone. Choose a CT of the temporal bone."};
-  const double level =
-      valueAt(bone, static_cast<std::size_t>(boneQuantile * static_cast<double>(bone.size() - 1)));
-  return std::max(1.3 * level, level + 500.0);
+  const auto level = bone.begin() + static_cast<std::ptrdiff_t>(
+                                        boneQuantile * static_cast<double>(bone.size() - 1));
+  std::nth_element(bone.begin(), level, bone.end());
+  return std::max(1.3 * *level, *level + 500.0);
 }
 
 /// Points of the brightest metal, which are contacts where no other implant is seen; those near a point if it is

@@ -844,6 +844,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
 
   rig.click("measureHereButton");
   ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().measures() != nullptr; }));
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.bone().isBusy(); }));
   walk.step(2, rig.window());
 
   auto* view = rig.window().findChild<gui::PlaneView*>("planeView0");

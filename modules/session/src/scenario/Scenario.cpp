@@ -149,6 +149,26 @@ Result<void> readArray(const std::string& name, ScenarioContent& scenario)
   return {};
 }
 
+/// Notes where a key changes nothing of an array of the user's. Shipped ones keep what their file states by design.
+void noteWhatFileKeeps(bool hasPacking, bool hasTaper, ScenarioContent& scenario)
+{
+  const electrode::ArrayDesign& array = scenario.parameters.array;
+  const bool keepsStiffness =
+      hasPacking && !array.hasStylet && !array.yields() && !electrode::wirePacking(array);
+  const bool keepsWidths = hasTaper && !array.taper;
+  if (!keepsStiffness && !keepsWidths) return;  // most scenarios, whose folder is not listed then
+  const std::vector<std::string> shipped = shippedNames("plugins/electrodes");
+  if (std::find(shipped.begin(), shipped.end(), scenario.arrayName) != shipped.end()) return;
+  if (keepsStiffness)
+    scenario.notes.push_back("The array " + array.name +
+                             " has the stiffness of its file: wire_packing changes that of arrays "
+                             "that state their wires and follow them.");
+  if (keepsWidths)
+    scenario.notes.push_back("The array " + array.name +
+                             " has the widths of its file: taper_fraction changes those of arrays "
+                             "that state a range of their taper.");
+}
+
 Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name,
                                      const fs::path& folder, const Overrides& overrides)
 {
@@ -215,21 +235,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   if (const auto done = applyYield(yield, reader.name(), scenario); !done) return done.error();
   if (packing) parameters.array = electrode::withWirePacking(std::move(parameters.array), *packing);
   if (taper) parameters.array = electrode::withTaper(std::move(parameters.array), *taper);
-  // shipped arrays that keep what their file states do so by design
-  const std::vector<std::string> shipped = shippedNames("plugins/electrodes");
-  if (std::find(shipped.begin(), shipped.end(), scenario.arrayName) == shipped.end()) {
-    const electrode::ArrayDesign& array = parameters.array;
-    if (packing && !array.hasStylet && !array.yields() && !electrode::wirePacking(array))
-      scenario.notes.push_back(
-          "The array " + array.name +
-          " has the stiffness of its file: wire_packing changes that of arrays "
-          "that state their wires and follow them.");
-    if (taper && !array.taper)
-      scenario.notes.push_back(
-          "The array " + array.name +
-          " has the widths of its file: taper_fraction changes those of arrays "
-          "that state a range of their taper.");
-  }
+  noteWhatFileKeeps(packing.has_value(), taper.has_value(), scenario);
   if (const auto done = applyCalibration(*calibration, scenario); !done) return done.error();
 
   if (parameters.technique == Technique::advanceOffStylet) {

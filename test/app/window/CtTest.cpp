@@ -840,6 +840,7 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   ASSERT_TRUE(WindowRig::waitUntil([&] { return page.study().hasCt(); }));
   page.cancel();
   page.study().moveCrosshair(onDisk().phantom.inside_P);
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.bone().isBusy(); }));
   walk.step(1, rig.window());
 
   rig.click("measureHereButton");

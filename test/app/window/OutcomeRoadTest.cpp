@@ -91,6 +91,7 @@ protected:
     ASSERT_TRUE(WindowRig::waitUntil(
         [&] { return ct().study().measures() != nullptr && !ct().isBusy(); }, road_ms));
     rig_.type("ctPatientCode", "P-061");
+    ASSERT_TRUE(WindowRig::waitUntil([&] { return !ct().bone().isBusy(); }, road_ms));
     walk.step(1, rig_.window());
 
     rig_.click("planCtButton");

@@ -265,14 +265,18 @@ NamedArray replaced(const NamedArray& one, const py::object& name, const py::obj
 std::string arrayNameOf(const py::object& given, const char* name)
 {
   if (!py::isinstance<NamedArray>(given)) return nameOrFileOf(given, name);
+  if (const std::string file = arrayFileOf(given); !file.empty()) return file;
+  const auto& design = given.cast<const NamedArray&>().design;
+  return keptFile("arrays", design.name, electrode::arrayText(design));
+}
+
+std::string arrayFileOf(const py::object& given)
+{
   const auto& array = given.cast<const NamedArray&>();
-  const std::string text = electrode::arrayText(array.design);
-  if (!array.file.empty()) {
-    // the file, as long as it holds what was read from it
-    const auto now = withoutLock([&] { return loadNamed(array.file); });
-    if (now && electrode::arrayText(*now) == text) return array.file;
-  }
-  return keptFile("arrays", array.design.name, text);
+  if (array.file.empty()) return {};
+  const auto now = withoutLock([&] { return loadNamed(array.file); });
+  return now && electrode::arrayText(*now) == electrode::arrayText(array.design) ? array.file
+                                                                                 : std::string();
 }
 
 void defineArrays(py::module_& module)
@@ -391,7 +395,7 @@ void defineArrays(py::module_& module)
            "begin with read_scenario(...).array.\nwithout: tables to leave out: 'ribs', 'stylet', "
            "'taper', 'tip', 'wires'.\n"
            "source: stated for what is changed, with low confidence.")
-      .def(
+      .def_property_readonly(
           "text", [](const NamedArray& one) { return textOf(electrode::arrayText(one.design)); },
           "The array's file (TOML), as the programs read it, to the last bit.")
       .def(py::pickle(

@@ -57,6 +57,8 @@ std::string nameOrFileOf(const py::object& given, const char* name);
 /// Name or path of an array that is given as such or as an Array. An Array that is not from a file is
 /// kept as one, see keptFile().
 std::string arrayNameOf(const py::object& given, const char* name);
+/// Name or path of the file that an Array was read from, as long as it has its content; else empty.
+std::string arrayFileOf(const py::object& given);
 
 /// Name or path of a friction that is given as such or as a Friction, which is kept as a file.
 std::string frictionNameOf(const py::object& given);

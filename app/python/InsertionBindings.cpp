@@ -402,7 +402,7 @@ void defineInsertion(py::module_& module)
           py::arg("memo"), "Another insertion that goes on from this state.")
       .def_property_readonly(
           "reading", [](Stepped& one) { return one.content().reading; },
-          "The reading of the last time step.")
+          "The reading of the last time step; before the first its tick and all values are 0.")
       .def_property_readonly(
           "has_ended", [](Stepped& one) { return hasEnded(one.content()); },
           "Whether the insertion has ended; Reading.end says how.")

@@ -46,7 +46,7 @@ std::string keptFile(const char* kind, const std::string& name, const std::strin
 std::string frictionNameOf(const py::object& given)
 {
   if (!py::hasattr(given, "scenario_values")) return nameOrFileOf(given, "friction");
-  return keptFile("frictions", "friction", given.attr("text")().cast<std::string>());
+  return keptFile("frictions", "friction", given.attr("text").cast<std::string>());
 }
 
 std::string scenarioNameOf(const py::object& given)

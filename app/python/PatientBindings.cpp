@@ -227,7 +227,7 @@ void definePatient(py::module_& module)
             return std::vector<std::string>(unusual.begin(), unusual.end());
           },
           "A sentence for each measure that is rare in the population, or does not match another.")
-      .def(
+      .def_property_readonly(
           "text", [](const Patient& one) { return textOf(anatomy::patientText(one)); },
           "The patient's file (TOML), as the programs read it.")
       .def(py::pickle(&stateOf, &patientFrom))

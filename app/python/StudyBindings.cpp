@@ -65,6 +65,12 @@ py::dict columnsOf(const StudyColumns& study)
       texts.push_back(study::settingOf(study.result(row), key));
     columns[textOf(key)] = settingColumn(texts);
   }
+  for (const std::string& name : study.fileColumns()) {
+    std::vector<std::string> texts;
+    for (std::size_t row = 0; row < study.size(); ++row)
+      texts.push_back(study.fileValueOf(study.result(row), name));
+    columns[textOf(name)] = settingColumn(texts);
+  }
   return columns;
 }
 
@@ -84,7 +90,7 @@ Study readStudy(const py::object& given)
   study.seal = nameOf(facts.seal);
   study.program = facts.program;
   study.notes = facts.notes;
-  study.columns = py::module_::import("perilymph._study").attr("with_names")(columnsOf(read));
+  study.columns = columnsOf(read);
   return study;
 }
 
@@ -192,10 +198,12 @@ void defineStudy(py::module_& module)
           "Version of the program that ran it.")
       .def(
           "columns", [](const Study& one) { return copied(one.columns); },
-          "A row per insertion, shape (n,): 'number', 'cochlea', 'ending', 'A_mm', 'B_mm', "
-          "'st_length_mm', 'angle_deg', 'coverage_percent', 'depth_mm', 'max_depth_mm', 'peak_mN', "
-          "'peak_depth_mm', 'end_mN', 'partition_mN', every setting of the study by its key; of "
-          "the files that settings name 'array_name', 'friction_static' and 'friction_dynamic'.")
+          "A row per insertion, shape (n,): 'number', 'cochlea' ('patients/1.toml' is the first "
+          "one "
+          "that was given), 'ending', 'A_mm', 'B_mm', 'cdl_oc_mm', 'st_length_mm', 'angle_deg', "
+          "'coverage_percent', 'depth_mm', 'max_depth_mm', 'peak_mN', 'peak_depth_mm', 'end_mN', "
+          "'partition_mN', every setting of the study by its key; of the files that settings name "
+          "'array_name', 'friction_static' and 'friction_dynamic', as they were when it ran.")
       .def(
           "to_pandas", [](const Study& one) { return dataFrameOf(one.columns); },
           "columns() as a pandas DataFrame.")
@@ -220,8 +228,10 @@ void defineStudy(py::module_& module)
   module.def(
       "_array_name", [](const py::object& given) { return arrayNameOf(given, "array"); },
       py::arg("array"), "Name or path of an array.");
-  module.def("_scenario_name", &scenarioNameOf, py::arg("scenario"), "Name or path of a scenario.");
-  module.def("_friction_name", &frictionNameOf, py::arg("friction"), "Name or path of a friction.");
+  module.def(
+      "_array_file", &arrayFileOf, py::arg("array"),
+      "Name or path of the file that an array was read from, as long as it has its content; else "
+      "empty.");
   module.def("read_study", &readStudy, py::arg("path"),
              "Reads the results of a study: its folder, its study.sqlite, or a shard.");
 }

@@ -1987,8 +1987,8 @@
         <translation>Es gibt mehrere Dateien für %1 &apos;%2&apos;: %3 und %4. Geben Sie den Pfad einer davon an.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is a folder, not a %2. Give the name of a file in it.</source>
-        <translation>&apos;%1&apos; ist ein Ordner und keine Datei der Art %2. Nennen Sie eine Datei darin.</translation>
+        <source>&apos;%1&apos; is a folder. For the %2, give the name of a file in it.</source>
+        <translation>&apos;%1&apos; ist ein Ordner. Nennen Sie für %2 eine Datei darin.</translation>
     </message>
     <message>
         <source>There is no %1 or file &apos;%2&apos;. %3 Give one of these or the path of a TOML file.</source>

@@ -56,6 +56,7 @@ class Friction:
             values |= {"friction_speed_mm_s": self.speed_mm_s, "friction_coefficient": self.coefficient}
         return values
 
+    @property
     def text(self) -> str:
         """Its file (TOML), as the programs read it."""
         def table(name: str, **values: object) -> str:

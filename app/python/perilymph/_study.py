@@ -1,35 +1,31 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A study from Python objects, run in this process."""
 
+import hashlib
 import json
 import math
 import numbers
 import os
-
-import numpy as np
 
 from perilymph._engine import (
     Array,
     Cochlea,
     Error,
     Patient,
-    _array_name,
-    _friction_name,
+    Scenario,
+    _array_file,
     _run_study,
-    _scenario_name,
-    read_array,
+    arrays,
+    frictions,
     read_patient,
     read_scenario,
+    scenarios,
 )
 from perilymph._friction import Friction
 
 
 def _value(key, value):
     """A value of a list as it stands in the file."""
-    if isinstance(value, Array):
-        return _array_name(value)
-    if isinstance(value, Friction):
-        return _friction_name(value)
     if isinstance(value, (bool, str)):
         return value
     if isinstance(value, os.PathLike):
@@ -46,7 +42,7 @@ def _value(key, value):
 def _list(key, values):
     if isinstance(values, (str, Array, Friction)) or not hasattr(values, "__iter__"):
         raise TypeError(f"the values of '{key}' must be a list")
-    return [_value(key, value) for value in values]
+    return values
 
 
 def _table(name, rows):
@@ -56,7 +52,8 @@ def _table(name, rows):
 
 def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, patients=(), samples=1, seed=1, title="Study", depth="full",
           contacts=False, profile_spacing_mm=0.0, jobs=0, progress=None):
-    """Runs every combination of lists in every cochlea and returns the Study; results, study.toml and patients are in the folder.
+    """Runs every combination of lists in every cochlea and returns the Study. The folder has the results, study.toml and all that it names
+    (scenario, arrays, frictions, patients), so that it can be moved.
 
     scenario: what is not varied: a Scenario, or the name or path of one.
     folder: made if it is not there; a study of the same file goes on in it.
@@ -68,7 +65,7 @@ def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, p
     jobs: threads, 0: one per processor. progress: called with the numbers of done and of all insertions; an exception ends the study.
 
     The interpreter's lock is released while it computes; Ctrl+C ends it, and the same call goes on."""
-    head = {"title": title, "scenario": _scenario_name(scenario), "seed": seed, "depth": depth}
+    head = {"title": title, "seed": seed, "depth": depth}
     if samples != 1:
         head["samples"] = samples
     for key, value in head.items():
@@ -80,16 +77,19 @@ def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, p
     place = os.fspath(folder)
     former = _Former(place)
     try:
-        os.makedirs(os.path.join(place, "patients") if len(patients) else place, exist_ok=True)
+        os.makedirs(place, exist_ok=True)
+        kept = _Kept(former)
+        head["scenario"] = kept.scenario(scenario)
+        varied = {key: [kept.value(key, each) for each in _list(key, values)] for key, values in dict(vary or {}).items()}
         files = []
         for number, given in enumerate(patients, 1):
             patient = given.patient if isinstance(given, Cochlea) else given if isinstance(given, Patient) else read_patient(given)
             files.append(f"patients/{number}.toml")
-            former.write(files[-1], patient.text())
+            former.write(files[-1], patient.text)
         text = "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in head.items())
         text += _table("cochleae", {"mean": bool(mean), "virtual": _value("cochleae", cochleae)} | ({"patients": files} if files else {}))
-        text += _table("vary", {key: _list(key, values) for key, values in dict(vary or {}).items()})
-        text += _table("ranges", {key: _list(key, ends) for key, ends in dict(ranges or {}).items()})
+        text += _table("vary", varied)
+        text += _table("ranges", {key: [_value(key, end) for end in _list(key, ends)] for key, ends in dict(ranges or {}).items()})
         text += _table("results", {"contacts": bool(contacts), "profile_spacing_mm": _value("profile_spacing_mm", profile_spacing_mm)})
         former.write("study.toml", text)
     except OSError as error:
@@ -101,24 +101,52 @@ def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, p
         raise
 
 
-def with_names(columns):
-    """The columns of a study and what the files that its settings name say, so that figures and tables need not show paths: 'array_name',
-    and 'friction_static' and 'friction_dynamic' unless they are settings. A file that cannot be read gives its own name, or NaN."""
-    def add(name, key, of_file, otherwise):
-        if key not in columns or name in columns:
-            return
-        found = {}
-        for value in np.unique(columns[key]):
-            try:
-                found[value] = of_file(str(value))
-            except Error:
-                found[value] = otherwise(str(value))
-        columns[name] = np.array([found[value] for value in columns[key]])
+class _Kept:
+    """The files that a study names, copied into its folder, so that it runs from there on any machine."""
 
-    add("array_name", "array", lambda value: read_array(value).name, lambda value: os.path.splitext(os.path.basename(value))[0])
-    for name in ("friction_static", "friction_dynamic"):
-        add(name, "friction", lambda value, name=name: float(read_scenario("surgery-flex28", {"friction": value})[name]), lambda value: math.nan)
-    return columns
+    _SHIPPED = {"array": arrays, "friction": frictions, "calibration": lambda: ()}
+
+    def __init__(self, former):
+        self._former = former
+        self._texts = {}
+
+    def value(self, key, value):
+        """A value as it stands in study.toml."""
+        if isinstance(value, Friction):
+            return self._keep(key, f"friction-{value.static:g}", value.text)
+        if isinstance(value, Array):
+            file = _array_file(value)
+            if not file:
+                return self._keep(key, "".join(each for each in value.name.lower() if each.isalnum()) or "array", value.text)
+            value = file
+        value = _value(key, value)
+        if key not in self._SHIPPED or not isinstance(value, str) or value in self._SHIPPED[key]() or not os.path.isfile(value):
+            return value
+        with open(value, encoding="utf-8") as stream:
+            return self._keep(key, os.path.splitext(os.path.basename(value))[0], stream.read())
+
+    def scenario(self, given):
+        """The name of a shipped scenario, or a file of the study's."""
+        if not isinstance(given, Scenario):
+            name = os.fspath(given)
+            if name in scenarios():
+                return name
+            given = read_scenario(given)
+        text = given.text
+        for key in self._SHIPPED:
+            if key in given:
+                text = text.replace(f"{key} = {json.dumps(given[key], ensure_ascii=False)}\n",
+                                    f"{key} = {json.dumps(self.value(key, given[key]), ensure_ascii=False)}\n")
+        self._former.write("scenario.toml", text)
+        return "scenario.toml"
+
+    def _keep(self, key, name, text):
+        file = f"{key}s/{name}.toml"
+        if self._texts.setdefault(file, text) != text:  # of another content under the same name
+            file = f"{key}s/{name}-{hashlib.sha256(text.encode()).hexdigest()[:8]}.toml"
+        self._texts[file] = text
+        self._former.write(file, text)
+        return file
 
 
 class _Former:
@@ -132,6 +160,7 @@ class _Former:
     def write(self, name, text):
         """Writes a file unless it has this text, so that a study that goes on finds what it was made of."""
         file = os.path.join(self._folder, name)
+        os.makedirs(os.path.dirname(file), exist_ok=True)
         try:
             with open(file, "rb") as stream:
                 before = stream.read()

@@ -3,8 +3,6 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from os import PathLike
 from typing import Any, Optional, Union
 
-from numpy.typing import NDArray
-
 from perilymph import Cochlea, Patient, Scenario, Study
 
 _Name = Union[str, PathLike[str]]
@@ -27,4 +25,3 @@ def study(
     jobs: int = 0,
     progress: Optional[Callable[[int, int], object]] = None,
 ) -> Study: ...
-def with_names(columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]: ...

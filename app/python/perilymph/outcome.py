@@ -196,7 +196,7 @@ def find(series, array, *, side=None, preop=None, patient=None, at_mm=None, csv=
         if isinstance(patient, Patient):
             own = os.path.join(folder, "patient.toml")
             with open(own, "w", encoding="utf-8") as stream:
-                stream.write(patient.text())
+                stream.write(patient.text)
             patient = own
         options = []
         for option, name, value in (("--array", "array", _array_name(array)), ("--side", "side", side), ("--preop", "preop", preop),

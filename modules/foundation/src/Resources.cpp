@@ -132,7 +132,7 @@ Result<fs::path> findByName(std::string_view kind, std::string_view folder,
   std::error_code ignored;
   const fs::path file(nameOrFile);
   if (fs::is_directory(file, ignored))
-    return Error{"'%1' is a folder, not a %2. Give the name of a file in it.", nameOrFile,
+    return Error{"'%1' is a folder. For the %2, give the name of a file in it.", nameOrFile,
                  std::string(kind)};
   if (fs::exists(file, ignored)) return file;
 

@@ -53,6 +53,14 @@ std::string textOf(const session::Overrides& overrides)
   return text.empty() ? "the scenario as it is" : text;
 }
 
+/// A text without a folder, so that a study that was moved with its files is the same.
+std::string without(std::string text, const std::string& folder)
+{
+  for (std::size_t at = 0; (at = text.find(folder, at)) != std::string::npos;)
+    text.erase(at, folder.size());
+  return text;
+}
+
 std::string hashOf(const std::string& content)
 {
   Sha256 hash;
@@ -78,6 +86,7 @@ private:
   Result<void> readFactors();
   Result<void> readSamples();
   Result<void> checkCombinations();
+  void noteFileValues(const session::Overrides& overrides, const session::Scenario& scenario);
   Error error(const std::string& sentence) const { return Error{"%1: %2", file_, sentence}; }
 
   TomlReader reader_;
@@ -189,7 +198,12 @@ Result<void> StudyReader::readSamples()
   study_.samples_ = static_cast<std::size_t>(reader_.integer("samples", 1, 1'000'000, 1));
   for (const std::string& key : table.keys()) {
     const std::vector<double> ends = table.numbers(key, {}, 2);
-    if (ends.size() != 2 || !(ends[0] < ends[1]))
+    if (ends.size() == 2 && !(ends[0] < ends[1]))
+      table.refuse(key,
+                   "'ranges." + key + "' goes from " + session::shortestDecimal(ends[0]) + " to " +
+                       session::shortestDecimal(ends[1]) +
+                       "; the first must be the lower end. Exchange them, or give another end.");
+    if (ends.size() != 2)
       table.refuse(key,
                    "'ranges." + key + "' must be the lower and the upper end, such as [0.2, 2.0].");
     if (ends.size() == 2) study_.ranges_.push_back({key, ends[0], ends[1]});
@@ -199,6 +213,31 @@ Result<void> StudyReader::readSamples()
   return {};
 }
 
+/// Study::fileValues() of a combination.
+void StudyReader::noteFileValues(const session::Overrides& overrides,
+                                 const session::Scenario& scenario)
+{
+  const auto isSetting = [&](const std::string& key) {
+    const auto is = [&key](const auto& each) { return each.first == key; };
+    return std::ranges::any_of(overrides, is) ||
+           std::ranges::any_of(study_.ranges_, [&](const auto& each) { return each.key == key; });
+  };
+  const auto add = [&](const StudyFileValue& one) {
+    const bool isThere = std::ranges::any_of(study_.fileValues_, [&](const auto& each) {
+      return each.key == one.key && each.value == one.value && each.name == one.name;
+    });
+    if (!isThere && !isSetting(one.name)) study_.fileValues_.push_back(one);
+  };
+  const mechanics::FrictionLaw& friction = scenario.friction();
+  for (const auto& [key, value] : overrides)
+    if (key == "array") {
+      add({key, value, "array_name", scenario.array().name});
+    } else if (key == "friction") {
+      add({key, value, "friction_static", session::shortestDecimal(friction.staticCoefficient)});
+      add({key, value, "friction_dynamic", session::shortestDecimal(friction.kineticCoefficient)});
+    }
+}
+
 /// Reads every combination as a scenario, at both ends of every range.
 Result<void> StudyReader::checkCombinations()
 {
@@ -206,7 +245,7 @@ Result<void> StudyReader::checkCombinations()
     // shipped scenarios by name, others beside the study
     const fs::path beside = file_.parent_path() / scenario_;
     std::error_code ignored;
-    session::Overrides values = overrides;
+    session::Overrides values = session::withFilesIn(file_.parent_path(), overrides);
     if (study_.isFullDepth_) values.emplace_back("stop_travel_mm", session::anyStopTravel);
     auto scenario = session::loadScenario(
         fs::is_regular_file(beside, ignored) ? beside.string() : scenario_, values);
@@ -219,7 +258,8 @@ Result<void> StudyReader::checkCombinations()
       return error("the scenario '" + scenario_ +
                    "' has another anatomy than \"mean\", which mean "
                    "and virtual cochleae have. Name another scenario, or patients.");
-    hash_.add(scenario->text());
+    hash_.add(without(scenario->text(), (fs::absolute(file_).parent_path() / "").string()));
+    noteFileValues(overrides, *scenario);
     for (const fs::path& named : scenario->files()) study_.files_[named];
     study_.scenarios_.push_back(*std::move(scenario));
   }

@@ -51,9 +51,12 @@ std::optional<double> decimalIn(const std::string& text)
 }
 
 /// The name of an array, or of a file without its folder; any other value as it is.
-std::string nameIn(const std::string& key, const std::string& value)
+std::string nameIn(const std::vector<StudyFileValue>& files, const std::string& key,
+                   const std::string& value)
 {
-  if (key == "array")
+  for (const StudyFileValue& each : files)
+    if (each.name == "array_name" && each.key == key && each.value == value) return each.content;
+  if (key == "array")  // in studies of earlier versions
     if (const auto file = findByName("electrode array", "plugins/electrodes", value))
       if (const auto array = electrode::loadArray(*file)) return array->name;
   const std::filesystem::path file = value;
@@ -61,10 +64,11 @@ std::string nameIn(const std::string& key, const std::string& value)
 }
 
 /// StudyFactor::shown.
-std::vector<std::string> shownLevels(const StudyFactor& factor)
+std::vector<std::string> shownLevels(const std::vector<StudyFileValue>& files,
+                                     const StudyFactor& factor)
 {
   std::vector<std::string> names;
-  for (const std::string& level : factor.levels) names.push_back(nameIn(factor.key, level));
+  for (const std::string& level : factor.levels) names.push_back(nameIn(files, factor.key, level));
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < names.size(); ++i)
     shown.push_back(std::ranges::count(names, names[i]) == 1 ? names[i] : factor.levels[i]);
@@ -72,7 +76,8 @@ std::vector<std::string> shownLevels(const StudyFactor& factor)
 }
 
 /// The level of each text; nothing if there are fewer than two or too many.
-std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<std::string>& texts)
+std::optional<StudyFactor> factorOf(const std::vector<StudyFileValue>& files,
+                                    const std::string& key, const std::vector<std::string>& texts)
 {
   StudyFactor factor{key, {}, {}, {}};
   factor.level.reserve(texts.size());
@@ -88,7 +93,7 @@ std::optional<StudyFactor> factorOf(const std::string& key, const std::vector<st
         return level.size() > maxListedDigits && decimalIn(level);
       }))
     return std::nullopt;
-  factor.shown = shownLevels(factor);
+  factor.shown = shownLevels(files, factor);
   return factor;
 }
 
@@ -191,15 +196,36 @@ void StudyColumns::addSettings()
 {
   std::vector<std::string> texts(size());
   for (std::size_t i = 0; i < size(); ++i) texts[i] = haptics::nameOf(results_[i].insertion.end);
-  if (auto factor = factorOf("ending", texts)) factors_.push_back(*std::move(factor));
+  if (auto factor = factorOf(facts_.fileValues, "ending", texts))
+    factors_.push_back(*std::move(factor));
   std::set<std::string> keys;
   for (const StudyResult& result : results_)
     for (const auto& [key, value] : result.settings) keys.insert(key);
   for (const std::string& key : keys) {
     for (std::size_t i = 0; i < size(); ++i) texts[i] = settingOf(results_[i], key);
-    if (auto factor = factorOf(key, texts)) factors_.push_back(*std::move(factor));
+    if (auto factor = factorOf(facts_.fileValues, key, texts))
+      factors_.push_back(*std::move(factor));
     if (auto quantity = quantityOf(key, texts)) quantities_.push_back(*std::move(quantity));
   }
+  settingsEnd_ = quantities_.size();
+  for (const std::string& name : fileColumns()) {
+    for (std::size_t i = 0; i < size(); ++i) texts[i] = fileValueOf(results_[i], name);
+    if (auto quantity = quantityOf(name, texts)) quantities_.push_back(*std::move(quantity));
+  }
+}
+
+std::vector<std::string> StudyColumns::fileColumns() const
+{
+  std::set<std::string> names;
+  for (const StudyFileValue& each : facts_.fileValues) names.insert(each.name);
+  return {names.begin(), names.end()};
+}
+
+std::string StudyColumns::fileValueOf(const StudyResult& result, const std::string& name) const
+{
+  for (const StudyFileValue& each : facts_.fileValues)
+    if (each.name == name && settingOf(result, each.key) == each.value) return each.content;
+  return {};
 }
 
 const StudyQuantity* StudyColumns::quantity(const std::string& key) const
@@ -224,7 +250,7 @@ std::vector<std::string> StudyColumns::ranges() const
     return key;
   };
   std::vector<std::string> keys;
-  for (std::size_t i = std::size(ownQuantities); i < quantities_.size(); ++i)
+  for (std::size_t i = std::size(ownQuantities); i < settingsEnd_; ++i)
     if (factor(settingOfQuantity(quantities_[i].key)) == nullptr)
       keys.push_back(quantities_[i].key);
   return keys;

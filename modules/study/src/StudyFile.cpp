@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/study/StudyFile.h"
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -51,6 +52,33 @@ std::optional<session::Overrides> settingsIn(const std::string& text)
 }
 
 constexpr const char* notesFact = "notes";
+constexpr const char* filesFact = "files";
+
+/// Values of files as JSON: a list of four texts each.
+std::string jsonOf(const std::vector<StudyFileValue>& values)
+{
+  nlohmann::json json = nlohmann::json::array();
+  for (const StudyFileValue& each : values)
+    json.push_back({each.key, each.value, each.name, each.content});
+  return json.dump();
+}
+
+/// The same of their JSON text; nothing for any other text.
+std::optional<std::vector<StudyFileValue>> fileValuesIn(const std::string& text)
+{
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_array()) return std::nullopt;
+  std::vector<StudyFileValue> values;
+  for (const auto& row : json) {
+    constexpr std::size_t fields = 4;
+    const auto isText = [](const auto& each) { return each.is_string(); };
+    if (!row.is_array() || row.size() != fields || !std::ranges::all_of(row, isText))
+      return std::nullopt;
+    const auto field = [&row](std::size_t i) { return row[i].template get<std::string>(); };
+    values.push_back({field(0), field(1), field(2), field(3)});
+  }
+  return values;
+}
 
 SealedFacts sealedOf(const StudyFileFacts& facts)
 {
@@ -62,6 +90,7 @@ SealedFacts sealedOf(const StudyFileFacts& facts)
                         {"first", std::to_string(facts.first)},
                         {"end", std::to_string(facts.end)}};
   for (const std::string& note : facts.notes) sealed[notesFact] += note + '\n';
+  if (!facts.fileValues.empty()) sealed[filesFact] = jsonOf(facts.fileValues);
   return sealed;
 }
 
@@ -87,6 +116,11 @@ std::optional<StudyFileFacts> factsIn(SealedFacts found)
                        *end};
   std::istringstream notes(found[notesFact]);
   for (std::string note; std::getline(notes, note);) facts.notes.push_back(onOneLine(note));
+  if (const std::string& files = found[filesFact]; !files.empty()) {
+    auto values = fileValuesIn(files);
+    if (!values) return std::nullopt;
+    facts.fileValues = *std::move(values);
+  }
   return facts;
 }
 
@@ -206,7 +240,7 @@ const session::InsertionTableKind& studyKind()
        Sentence{"Choose a .sqlite file that 'perilymph-cli study' wrote."},
        Sentence{"Delete it and run its shard again."},
        0x50655374,  // "PeSt"
-       4,           // 1 had no views, 2 no seal, 3 former views
+       5,           // 1 had no views, 2 no seal, 3 former views, 4 nothing of files
        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
         "CREATE TABLE insertion(number INTEGER PRIMARY KEY, cochlea TEXT NOT NULL, settings TEXT "
         "NOT "
@@ -241,8 +275,8 @@ const session::InsertionTableKind& studyKind()
 
 StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end)
 {
-  return {study.title(), study.text(), study.fingerprint(), buildId(), study.size(),
-          first,         end,          study.notes()};
+  return {study.title(), study.text(), study.fingerprint(), buildId(),         study.size(),
+          first,         end,          study.notes(),       study.fileValues()};
 }
 
 Result<StudyFile> StudyFile::openToContinue(const fs::path& file, const StudyFileFacts& facts)

@@ -58,11 +58,19 @@ constexpr ColumnMeaning columnMeanings[] = {
     {"contact", "frequency_Hz", "Hz", "Frequency by Greenwood of its place"},
     {"meta", "key", "",
      "'title', 'study' (its file), 'fingerprint', 'program', 'cases', 'first', 'end', 'notes', "
-     "'content_sha256' (the seal)"},
+     "'files' (what files say that settings name, as JSON; see file_value), 'content_sha256' (the "
+     "seal)"},
     {"meta", "value", "", "Text of the fact"},
     // the views
+    {"file_value", "key", "", "Key of the scenario that names a file: 'friction'"},
+    {"file_value", "value", "", "Its value: a shipped name, or a path beside the study"},
+    {"file_value", "name", "", "'array_name', 'friction_static' or 'friction_dynamic'"},
+    {"file_value", "content", "", "What the file says; a number where it is one"},
     {"setting", "number", "", "Number of the insertion"},
-    {"setting", "key", "", "Key of the scenario: 'array'"},
+    {"setting", "key", "",
+     "Key of the scenario: 'array'; of the file that it names also 'array_name', "
+     "'friction_static', "
+     "'friction_dynamic'"},
     {"setting", "value", "", "Its value in this insertion; a number where it is one"},
     {"ending_by_setting", "key", "", "Key of the scenario with 12 values or fewer"},
     {"ending_by_setting", "value", "", "Its value"},
@@ -132,7 +140,7 @@ constexpr ColumnMeaning columnMeanings[] = {
 /// How many of them are of the tables, which alone the first version of the dictionary had.
 constexpr std::size_t tableColumns = 30;
 static_assert(std::string_view(columnMeanings[tableColumns - 1].table) == "meta" &&
-              std::string_view(columnMeanings[tableColumns].table) == "setting");
+              std::string_view(columnMeanings[tableColumns].table) == "file_value");
 
 /// The view `dictionary`: one row per column.
 std::string dictionaryView(std::span<const ColumnMeaning> meanings)
@@ -149,14 +157,45 @@ std::string dictionaryView(std::span<const ColumnMeaning> meanings)
   return "CREATE VIEW dictionary(table_name, column_name, unit, meaning) AS VALUES " + rows;
 }
 
-/// The dictionary before it had views, and the ending 'none'.
-std::string formerDictionaryView()
+/// A text with one part replaced, which it has.
+std::string with(std::string text, const std::string& part, const std::string& other)
 {
-  std::string view = dictionaryView(std::span(columnMeanings).first(tableColumns));
-  const std::string now = "''fault'', ''refused'', or ''none'': not ended within twice its time",
-                    then = "''fault'' or ''refused''";
-  view.replace(view.find(now), now.size(), then);
-  return view;
+  return text.replace(text.find(part), part.size(), other);
+}
+
+/// The dictionaries of earlier versions: without what files say, and before that without views and the ending
+/// 'none'.
+std::vector<std::string> formerDictionaryViews()
+{
+  const auto ofVersion4 = [](std::span<const ColumnMeaning> meanings) {
+    std::vector<ColumnMeaning> rows;
+    for (const ColumnMeaning& each : meanings)
+      if (std::string_view(each.table) != "file_value") rows.push_back(each);
+    return with(dictionaryView(rows),
+                "''files'' (what files say that settings name, as JSON; see file_value), ", "");
+  };
+  return {with(ofVersion4(columnMeanings),
+               "; of the file that it names also ''array_name'', ''friction_static'', "
+               "''friction_dynamic''",
+               ""),
+          with(ofVersion4(std::span(columnMeanings).first(tableColumns)),
+               "''fault'', ''refused'', or ''none'': not ended within twice its time",
+               "''fault'' or ''refused''")};
+}
+
+/// A text as a number where it is one.
+std::string asNumber(const std::string& text)
+{
+  return "CASE WHEN json_valid(" + text + ") THEN CASE WHEN json_type(" + text +
+         ") IN ('integer', 'real') THEN json_extract(" + text + ", '$') ELSE " + text +
+         " END ELSE " + text + " END";
+}
+
+/// The view `setting` as version 4 had it: of the settings alone.
+std::string settingView()
+{
+  return "CREATE VIEW setting AS SELECT insertion.number AS number, json_each.key AS key, " +
+         asNumber("json_each.value") + " AS value FROM insertion, json_each(insertion.settings)";
 }
 
 /// No view has a row for each value of a range that was drawn.
@@ -217,11 +256,17 @@ std::span<const ColumnMeaning> studyColumnMeanings() { return columnMeanings; }
 std::vector<std::string> studyViews()
 {
   return {
+      // What do the files say that settings name?
+      "CREATE VIEW file_value AS WITH file AS MATERIALIZED (SELECT json_extract(row.value, '$[0]') "
+      "AS key, json_extract(row.value, '$[1]') AS value, json_extract(row.value, '$[2]') AS name, "
+      "json_extract(row.value, '$[3]') AS content FROM meta, json_each(meta.value) AS row "
+      "WHERE meta.key = 'files') SELECT key, value, name, " +
+          asNumber("content") + " AS content FROM file",
       // Which values does each insertion have? One row per insertion and key; numbers are numbers.
-      "CREATE VIEW setting AS SELECT insertion.number AS number, json_each.key AS key, "
-      "CASE WHEN json_valid(json_each.value) THEN CASE WHEN json_type(json_each.value) IN "
-      "('integer', 'real') THEN json_extract(json_each.value, '$') ELSE json_each.value END "
-      "ELSE json_each.value END AS value FROM insertion, json_each(insertion.settings)",
+      settingView() +
+          " UNION ALL SELECT insertion.number, file.name, file.content FROM insertion, "
+          "json_each(insertion.settings) AS named JOIN (SELECT * FROM file_value) AS file ON "
+          "file.key = named.key AND file.value = named.value",
       // How do insertions end, by value of each setting that has few?
       "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, " +
           endingCounts() +
@@ -266,30 +311,35 @@ std::vector<std::string> studyViews()
 
 std::vector<std::string> formerStudyViews()
 {
-  return {
-      // every value was text, and outcomes were of finished insertions alone
-      "CREATE VIEW setting AS SELECT insertion.number AS number, json_each.key AS key, "
-      "json_each.value AS value FROM insertion, json_each(insertion.settings)",
-      "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
-      "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
-      "sum(ending = 'buckled') AS buckled, sum(ending = 'fault') AS fault, "
-      "sum(ending = 'refused') AS refused, "
-      "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
-      "FROM setting JOIN insertion USING (number) GROUP BY key, value",
-      "CREATE VIEW outcome_by_setting AS SELECT key, value, count(*) AS finished, "
-      "avg(angle_deg) AS mean_angle_deg, min(angle_deg) AS min_angle_deg, "
-      "max(angle_deg) AS max_angle_deg, avg(coverage_percent) AS mean_coverage_percent, "
-      "avg(peak_mN) AS mean_peak_mN, max(peak_mN) AS max_peak_mN, "
-      "avg(partition_mN) AS mean_partition_mN, max(partition_mN) AS max_partition_mN "
-      "FROM setting JOIN insertion USING (number) WHERE ending = 'finished' GROUP BY key, value",
-      "CREATE VIEW outcome_by_size AS SELECT 0.5 * CAST(A_mm / 0.5 AS INTEGER) AS A_from_mm, "
-      "count(*) AS insertions, sum(ending = 'finished') AS finished, "
-      "avg(CASE WHEN ending = 'finished' THEN angle_deg END) AS mean_angle_deg, "
-      "avg(CASE WHEN ending = 'finished' THEN coverage_percent END) AS mean_coverage_percent, "
-      "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN "
-      "FROM insertion GROUP BY A_from_mm",
-      formerDictionaryView(),
-  };
+  std::vector<std::string> views = formerDictionaryViews();
+  views.push_back(settingView());
+  views.insert(
+      views.end(),
+      {
+          // every value was text, and outcomes were of finished insertions alone
+          "CREATE VIEW setting AS SELECT insertion.number AS number, json_each.key AS key, "
+          "json_each.value AS value FROM insertion, json_each(insertion.settings)",
+          "CREATE VIEW ending_by_setting AS SELECT key, value, count(*) AS insertions, "
+          "sum(ending = 'finished') AS finished, sum(ending = 'out_of_opening') AS out_of_opening, "
+          "sum(ending = 'buckled') AS buckled, sum(ending = 'fault') AS fault, "
+          "sum(ending = 'refused') AS refused, "
+          "100.0 * sum(ending = 'finished') / count(*) AS finished_percent "
+          "FROM setting JOIN insertion USING (number) GROUP BY key, value",
+          "CREATE VIEW outcome_by_setting AS SELECT key, value, count(*) AS finished, "
+          "avg(angle_deg) AS mean_angle_deg, min(angle_deg) AS min_angle_deg, "
+          "max(angle_deg) AS max_angle_deg, avg(coverage_percent) AS mean_coverage_percent, "
+          "avg(peak_mN) AS mean_peak_mN, max(peak_mN) AS max_peak_mN, "
+          "avg(partition_mN) AS mean_partition_mN, max(partition_mN) AS max_partition_mN "
+          "FROM setting JOIN insertion USING (number) WHERE ending = 'finished' GROUP BY key, "
+          "value",
+          "CREATE VIEW outcome_by_size AS SELECT 0.5 * CAST(A_mm / 0.5 AS INTEGER) AS A_from_mm, "
+          "count(*) AS insertions, sum(ending = 'finished') AS finished, "
+          "avg(CASE WHEN ending = 'finished' THEN angle_deg END) AS mean_angle_deg, "
+          "avg(CASE WHEN ending = 'finished' THEN coverage_percent END) AS mean_coverage_percent, "
+          "avg(CASE WHEN ending = 'finished' THEN peak_mN END) AS mean_peak_mN "
+          "FROM insertion GROUP BY A_from_mm",
+      });
+  return views;
 }
 
 }  // namespace perilymph::study

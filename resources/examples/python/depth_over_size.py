@@ -29,7 +29,7 @@ def main(file="depth-over-size.png", sizes="9"):
             angle_deg, is_full = [], []
             for a, b in zip(a_mm, b_mm):
                 patient = Path(folder) / "patient.toml"
-                patient.write_text(perilymph.Patient(a_mm=a, b_mm=b).text())
+                patient.write_text(perilymph.Patient(a_mm=a, b_mm=b).text)
                 simulation = perilymph.simulate("surgery-flex28", {
                     "patient": patient,
                     "array": name,

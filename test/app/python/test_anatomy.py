@@ -130,7 +130,7 @@ def test_shipped_patients_and_lengths_give_cochleae():
 def test_a_patient_s_text_reads_back_as_the_patient(tmp_path):
     patient = perilymph.Patient(a_mm=9.1, b_mm=6.9, h_mm=4.0, a_sd_mm=0.1, b_sd_mm=0.2, h_sd_mm=0.3, side="left",
                                 label="P-017")
-    (tmp_path / "p.toml").write_text(patient.text())
+    (tmp_path / "p.toml").write_text(patient.text)
     read = perilymph.read_patient(tmp_path / "p.toml")
     for name in ("label", "side", "a_mm", "b_mm", "h_mm", "a_sd_mm", "b_sd_mm", "h_sd_mm"):
         assert getattr(read, name) == getattr(patient, name), name
@@ -150,13 +150,13 @@ def test_a_patient_s_seal_breaks_with_any_byte_that_changes_a_value(tmp_path):
     patient = perilymph.Patient(a_mm=9.2, b_mm=6.9, h_mm=4.0, a_sd_mm=0.15, b_sd_mm=0.15, side="left", label="P-017")
     assert patient.seal == "intact"
     file = tmp_path / "p.toml"
-    file.write_text(patient.text())
+    file.write_text(patient.text)
     read = perilymph.read_patient(file)
     assert read.seal == "intact" and values(read) == values(patient)
     changed = 0
-    for place in range(len(patient.text())):
+    for place in range(len(patient.text)):
         for byte in b"18#":
-            content = bytearray(patient.text(), "ascii")
+            content = bytearray(patient.text, "ascii")
             content[place] = byte
             file.write_bytes(content)
             try:
@@ -170,10 +170,10 @@ def test_a_patient_s_seal_breaks_with_any_byte_that_changes_a_value(tmp_path):
 
 def test_a_changed_patient_stays_changed_in_text_plan_and_cochlea(tmp_path):
     file = tmp_path / "p.toml"
-    file.write_text(perilymph.Patient(a_mm=9.2, b_mm=6.9).text().replace("9.2", "9.3"))
+    file.write_text(perilymph.Patient(a_mm=9.2, b_mm=6.9).text.replace("9.2", "9.3"))
     changed = perilymph.read_patient(file)
     assert (changed.seal, changed.a_mm) == ("changed", pytest.approx(9.3))
-    file.write_text(changed.text())
+    file.write_text(changed.text)
     assert perilymph.read_patient(file).seal == "changed"
     assert perilymph.Cochlea(changed).patient.seal == "changed"
     assert perilymph.plan(changed, ["flex24"], samples=1).patient.seal == "changed"

@@ -6,6 +6,8 @@ import html.parser
 import multiprocessing
 import pickle
 import re
+import shutil
+import sqlite3
 import time
 from collections.abc import Mapping
 
@@ -78,7 +80,7 @@ def test_equal_objects_are_equal_and_copies_are(name):
 @pytest.mark.parametrize("name", perilymph.arrays())
 def test_the_text_of_a_shipped_array_reads_back_to_the_bit(tmp_path, name):
     array = perilymph.read_array(name)
-    (tmp_path / "array.toml").write_text(array.text())
+    (tmp_path / "array.toml").write_text(array.text)
     again = perilymph.read_array(tmp_path / "array.toml")
     assert again == array
     places = np.linspace(0.0, array.length_mm, 301)
@@ -99,12 +101,12 @@ def test_an_array_as_run_and_a_scenario_can_be_copied(scenario):
 
 def test_an_insertion_has_the_same_bits_with_names_and_with_objects():
     by_name = perilymph.simulate("surgery-flex28", {**COARSE, "array": "flex24", "friction": "tissue"})
-    again = perilymph.Array.text(perilymph.read_array("flex24"))
+    again = perilymph.read_array("flex24").text
     objects = {"array": perilymph.read_array("flex24"), "cochlea": perilymph.Cochlea.of_scenario(by_name.scenario)}
     by_object = perilymph.simulate("surgery-flex28", {**COARSE, "friction": "tissue", **objects})
     assert all(same_bits(by_name[name], by_object[name]) for name in by_name)
     assert by_object.scenario["array"] == "flex24"  # the shipped one, as long as nothing was changed
-    assert perilymph.read_array("flex24").text() == again
+    assert perilymph.read_array("flex24").text == again
 
 
 def test_a_patient_and_a_cochlea_are_those_of_the_insertion():
@@ -128,7 +130,7 @@ def test_a_friction_is_that_of_the_insertion(tmp_path):
     by_speed = perilymph.Friction(0.3, speed_mm_s=[0.1, 1.0], coefficient=np.array([0.25, 0.15]), ear_sd_log=0.2)
     scenario = scenario.with_values({"friction": by_speed})
     assert scenario["friction_coefficient"] == [0.25, 0.15] and scenario["friction_dynamic"] == 0.15
-    (tmp_path / "friction.toml").write_text(by_speed.text())
+    (tmp_path / "friction.toml").write_text(by_speed.text)
     read = perilymph.read_scenario("surgery-flex28", {"friction": tmp_path / "friction.toml"})
     assert all(read[key] == scenario[key] for key in scenario if key.startswith("friction_"))
     with pytest.raises(perilymph.Error, match="friction_dynamic"):
@@ -227,10 +229,46 @@ def test_a_study_over_frictions_has_their_numbers(tmp_path):
     soap = perilymph.read_scenario("surgery-flex28", {"friction": "soap-90"})
     assert list(columns["friction_static"]) == [0.1, 0.2, soap["friction_static"]]
     assert list(columns["friction_dynamic"]) == [0.1, 0.15, soap["friction_dynamic"]]
-    for file in (tmp_path / "data/perilymph/frictions").iterdir():
-        file.unlink()
-    read = perilymph.read_study(tmp_path / "s").columns()  # on a machine without these files
-    assert np.isnan(read["friction_dynamic"][:2]).all() and read["friction_dynamic"][2] == soap["friction_dynamic"]
+    assert sorted(each.name for each in (tmp_path / "s/frictions").iterdir()) == ["friction-0.1.toml", "friction-0.2.toml"]
+    assert not (tmp_path / "data").exists()
+    database = sqlite3.connect(tmp_path / "s/study.sqlite")
+    in_sql = dict(database.execute("SELECT number, value FROM setting WHERE key = 'friction_dynamic'"))
+    assert [in_sql[number] for number in range(3)] == list(columns["friction_dynamic"])
+    assert database.execute("SELECT count(*) FROM ending_by_setting WHERE key = 'friction_static' AND value > 0.15").fetchone() == (1,)
+
+
+def test_a_study_carries_its_files_and_can_be_moved(tmp_path, monkeypatch, cli):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "lists").mkdir()
+    changed = perilymph.read_array("flex28").replace(name="Changed", width_mm=0.6)
+    (tmp_path / "lists/mine.toml").write_text(perilymph.read_array("flex24").replace(name="Mine").text)
+    (tmp_path / "soap.toml").write_text(perilymph.Friction(0.08).text)
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10, "array": changed})
+    request = dict(mean=True, patients=[measured()], vary={"array": ["lists/mine.toml", changed], "friction": ["soap.toml", "tissue"]})
+    study = perilymph.study(scenario, "made", **request)
+    assert set(study.columns()["array"]) == {"arrays/mine.toml", "arrays/changed.toml"}
+    assert str(tmp_path) not in (tmp_path / "made/study.toml").read_text() + (tmp_path / "made/scenario.toml").read_text()
+    shutil.rmtree(tmp_path / "data")
+    shutil.rmtree(tmp_path / "lists")
+    (tmp_path / "soap.toml").unlink()
+    shutil.move(tmp_path / "made", tmp_path / "elsewhere")
+    results = (tmp_path / "elsewhere/study.sqlite").read_bytes()
+    cli("study", "run", tmp_path / "elsewhere/study.toml", "--out", tmp_path / "again")
+    assert perilymph.read_study("again") == study  # the same study, with the same fingerprint
+    assert (tmp_path / "again/study.sqlite").read_bytes() == results
+    with pytest.raises(perilymph.Error, match="arrays/mine.toml"):
+        (tmp_path / "elsewhere/arrays/mine.toml").unlink()
+        perilymph.study("elsewhere/scenario.toml", "third", mean=True, vary={"array": ["arrays/mine.toml"]})
+
+
+def test_files_of_one_name_are_kept_apart(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for place, friction in (("a", 0.1), ("b", 0.2)):
+        (tmp_path / place).mkdir()
+        (tmp_path / place / "own.toml").write_text(perilymph.Friction(friction).text)
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    study = perilymph.study(scenario, "s", mean=True, vary={"friction": ["a/own.toml", "b/own.toml"]})
+    assert list(study.columns()["friction_static"]) == [0.1, 0.2] and len(set(study.columns()["friction"])) == 2
 
 
 def test_frictions_are_listed_and_a_name_is_no_friction():

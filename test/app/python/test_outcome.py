@@ -153,7 +153,7 @@ def library(tmp_path_factory, choices):
     surgery = {"array": "flex24", **choices, "stop_reason": "unknown", "days_to_ct": 3}
     for code, outcomes in (("P-1", [content(surgery=surgery)]), ("P-2", [content(surgery=surgery, side="left")]), ("P-3", [content(surgery=surgery)])):
         patient = perilymph.Patient(a_mm=9.2, b_mm=6.8, h_mm=4.0, a_sd_mm=0.1, b_sd_mm=0.2, h_sd_mm=0.3, label=code)
-        (place / f"patients/{code}-right.toml").write_text(patient.text())
+        (place / f"patients/{code}-right.toml").write_text(patient.text)
         rows = [{"utc": "2026-02-20T10:00:00Z", "series_sha256": hashlib.sha256(code.encode()).hexdigest(), "content": each} for each in outcomes]
         (place / f"patients/{code}-right.json").write_text(json.dumps(
             {"format": 2, "tags": [], "notes": "", "archived": False, "changed_by_hand": False, "scans": [], "versions": [], "plans": [],
@@ -163,7 +163,7 @@ def library(tmp_path_factory, choices):
         folder = place / "plans" / code
         folder.mkdir(parents=True)
         perilymph.plan(patient, ["flex24"], samples=2, all_samples=True, draws_file=folder / "draws.sqlite")
-        (folder / "patient.toml").write_text(patient.text())
+        (folder / "patient.toml").write_text(patient.text)
         (folder / "plan.toml").write_text('made = "2026-01-03T10:00:00Z"\narrays = ["flex24"]\nscenario = "surgery-flex28"\ndraws = 2\nseed = 1\n'
                                           "shown_draws = 2\nis_complete = true\n")
     return place

@@ -26,7 +26,7 @@ def patient():
 def folder(cli, tmp_path_factory):
     """The folder of the same plan, made by the command line."""
     place = tmp_path_factory.mktemp("plan")
-    (place / "p.toml").write_text(patient().text())
+    (place / "p.toml").write_text(patient().text)
     cli("plan", "--patient", place / "p.toml", "--arrays", *ARRAYS, "--samples", 3, "--seed", 5, "--jobs", 2,
         "--out", place / "out")
     return place / "out"

@@ -142,7 +142,7 @@ def test_a_study_s_columns_are_those_of_its_table(study_folder):
 
 
 def test_a_study_of_measures_that_were_changed_by_hand_says_so(cli, tmp_path):
-    text = perilymph.Patient(a_mm=9.2, b_mm=6.9, label="P-017").text()
+    text = perilymph.Patient(a_mm=9.2, b_mm=6.9, label="P-017").text
     (tmp_path / "p.toml").write_text(text.replace("9.2", "9.3"))
     (tmp_path / "study.toml").write_text(
         'title = "One"\nscenario = "mean-flex28"\ndepth = "scenario"\n[cochleae]\npatients = ["p.toml"]\n'

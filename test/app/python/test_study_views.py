@@ -2,10 +2,12 @@
 """A study in SQL: numbers are numbers, every view says what NumPy finds in the rows, and files of earlier versions are read."""
 
 import json
+import re
 import sqlite3
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import perilymph
 
@@ -42,6 +44,8 @@ def database(folder):
 def rows(database):
     """The insertions as columns, with their settings, numbers as numbers."""
     rows = [dict(row) | json.loads(row["settings"]) for row in database.execute("SELECT * FROM insertion")]
+    for row in rows:
+        row["array_name"] = perilymph.read_array(row["array"]).name
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
     return columns | {key: columns[key].astype(float) for key in ("stop_force_N", "speed_mm_s")}
 
@@ -74,7 +78,7 @@ def test_settings_are_numbers_where_they_are(database, rows):
 def test_outcomes_by_setting_are_those_of_the_rows(database, rows):
     names = [each[1] for each in query(database, "PRAGMA table_info(outcome_by_setting)")]
     found = {(row["key"], row["value"]): dict(row) for row in database.execute("SELECT * FROM outcome_by_setting")}
-    expected = {(key, value) for key in ("array", "stop_force_N") for value in np.unique(rows[key])}
+    expected = {(key, value) for key in ("array", "array_name", "stop_force_N") for value in np.unique(rows[key])}
     assert set(found) == expected  # none for each of the 14 drawn speeds
     for (key, value), row in found.items():
         here = rows[key] == value
@@ -142,8 +146,8 @@ def test_the_dictionary_explains_every_column_of_every_table_and_view(database):
         assert meaning
 
 
-KEYS = ["array", "stop_force_N", "speed_mm_s"]
-FEW = ["array", "stop_force_N"]  # but not each of the drawn speeds
+KEYS = ["array", "array_name", "stop_force_N", "speed_mm_s"]
+FEW = ["array", "array_name", "stop_force_N"]  # but not each of the drawn speeds
 QUANTITIES = ["angle_deg", "coverage_percent", "depth_mm", "peak_mN", "partition_mN"]
 
 
@@ -197,8 +201,17 @@ def expected_extremes(frame):
 
 
 OUTCOMES = [(name, quantity) for quantity in ("angle_deg", "peak_mN", "partition_mN") for name in ("mean", "max")]
+
+
+def expected_files(frame):
+    """Of each array that a setting names, the name that its file states."""
+    rows = frame[["array", "array_name"]].drop_duplicates()
+    return rows.assign(key="array", value=rows.array, name="array_name", content=rows.array_name)[["key", "value", "name", "content"]]
+
+
 # What pandas makes of the insertions for each view, and the columns that name a row.
 VIEWS = {
+    "file_value": (expected_files, ["key", "value", "name"]),
     "setting": (lambda frame: frame.assign(**{key: frame[key].astype(object) for key in KEYS}).melt("number", KEYS, "key", "value"), ["number", "key"]),
     "ending_by_setting": (expected_endings, ["key", "value"]),
     "distribution_by_setting": (expected_distribution, ["selection", "key", "value", "quantity"]),
@@ -224,6 +237,7 @@ def test_a_view_is_what_pandas_makes_of_the_insertions(folder, view):
     settings = pandas.DataFrame(list(frame.settings.map(json.loads)))
     for key in ("stop_force_N", "speed_mm_s"):
         settings[key] = settings[key].astype(float)
+    settings["array_name"] = settings["array"].map(lambda name: perilymph.read_array(name).name)
     make, names = VIEWS[view]
     expected = make(frame.join(settings))
     for table in (found, expected):  # numbers and texts stand in one column
@@ -232,6 +246,20 @@ def test_a_view_is_what_pandas_makes_of_the_insertions(folder, view):
     # Endings that no insertion has are columns of zeros.
     assert all((found[name] == 0).all() for name in set(found) - set(expected))
     pandas.testing.assert_frame_equal(found[list(expected)], expected, check_dtype=False, check_names=False, rtol=1e-9)
+
+
+def test_the_queries_of_the_guide_give_what_pandas_gives(database, rows):
+    pandas = pytest.importorskip("pandas")
+    page = (ROOT / "resources/guide/studies.md").read_text()
+    by_array, by_two = re.findall(r'sqlite3 results/study.sqlite "([^"]*)"', page)
+    found = dict(query(database, by_array))
+    for array in ("flex24", "medel-standard"):
+        assert found[array] == pytest.approx(100 * (rows["ending"][rows["array"] == array] == "finished").mean())
+    frame = pandas.DataFrame({key: rows[key] for key in ("array_name", "stop_force_N", "peak_mN")})
+    medians = frame.groupby(["array_name", "stop_force_N"]).peak_mN.median()
+    found = {row[:2]: row[2] for row in query(database, by_two)}
+    assert set(found) == set(medians.index) and len(found) == 4
+    assert all(found[key] == pytest.approx(value) for key, value in medians.items())
 
 
 def test_the_columns_of_python_are_those_of_the_rows(folder, rows):

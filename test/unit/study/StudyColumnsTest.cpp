@@ -52,6 +52,12 @@ protected:
     EXPECT_TRUE(created->close());
     return file;
   }
+  StudyColumns columnsWith(std::vector<StudyFileValue> files)
+  {
+    StudyFileFacts facts;
+    facts.fileValues = std::move(files);
+    return {facts, twentyResults()};
+  }
   StudyColumns columns()
   {
     auto read = StudyColumns::read(write(twentyResults()), {});
@@ -73,6 +79,22 @@ protected:
 private:
   test::TemporaryFolder folder_;
 };
+
+TEST_F(AStudyInColumns, HaveWhatTheFilesOfSettingsSay)
+{
+  const StudyColumns columns = columnsWith({{"array", "flex24", "array_name", "Short"},
+                                            {"array", "flex28", "array_name", "Long"},
+                                            {"array", "flex24", "friction_static", "0.1"},
+                                            {"array", "flex28", "friction_static", "0.25"}});
+  ASSERT_NE(columns.factor("array"), nullptr);
+  EXPECT_THAT(columns.factor("array")->shown, ElementsAre("Short", "Long"));
+  const StudyQuantity* friction = columns.quantity("friction_static");
+  ASSERT_NE(friction, nullptr);
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    EXPECT_EQ(friction->values[i], i % 2 == 0 ? 0.1 : 0.25);
+  EXPECT_THAT(columns.ranges(), ElementsAre("speed_mm_s"));  // its slope would be the factor's
+  EXPECT_EQ(columns.fileColumns(), (std::vector<std::string>{"array_name", "friction_static"}));
+}
 
 TEST_F(AStudyInColumns, HasEndingAndSettingsOfFewValuesAsFactors)
 {

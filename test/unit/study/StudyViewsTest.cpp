@@ -194,6 +194,28 @@ TEST_F(ViewsOfAStudy, OfTheFirstDictionaryAreRead)
   ASSERT_TRUE(opened) << opened.error().message;
 }
 
+TEST_F(ViewsOfAStudy, OfVersion4AreRead)
+{
+  // which said nothing of files; the hashes are of its views as that version wrote them
+  int replaced = 0;
+  for (const std::string& view : formerStudyViews()) {
+    Sha256 hash;
+    hash.add(view);
+    if (hash.hex() != "40ccc3038805e134c8bb767cfa7b2683c59d125c456b9d6e07938f6d8ac55460" &&
+        hash.hex() != "54f9d51b8bc019d8654d846e108b579ddfd7ec7efae4fa1137cbc43e6633631b")
+      continue;
+    const std::string name =
+        view.substr(0, view.find(view.find('(') < view.find(" AS") ? "(" : " AS"));
+    ASSERT_TRUE(
+        run(file_, ("DROP VIEW " + name.substr(name.rfind(' ') + 1) + "; " + view).c_str()));
+    ++replaced;
+  }
+  EXPECT_EQ(replaced, 2);
+  ASSERT_TRUE(run(file_, "DROP VIEW file_value; PRAGMA user_version = 4"));
+  const auto opened = StudyFile::open(file_);
+  ASSERT_TRUE(opened) << opened.error().message;
+}
+
 TEST_F(ViewsOfAStudy, AreExplainedColumnByColumn)
 {
   EXPECT_THAT(rowsOf(file_,

@@ -185,6 +185,13 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
     reader.set(key, isFile ? fs::absolute(value).string() : value);
   }
 
+  for (const char* key : fileKeys)
+    if (reader.has(key) && overrideNamed(key) == nullptr) {
+      const std::string given = reader.text(key);
+      if (const std::string beside = pathBeside(given, folder); beside != given)
+        reader.set(key, beside);
+    }
+
   ScenarioContent scenario;
   InsertionParameters& parameters = scenario.parameters;
   parameters.name = fs::path(name).stem().string();

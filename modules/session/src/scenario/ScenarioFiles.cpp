@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "scenario/ScenarioFiles.h"
 
+#include <algorithm>
+
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::session {
@@ -15,6 +17,24 @@ Result<fs::path> findPatient(const std::string& patient, const fs::path& folder)
       if (fs::is_regular_file(place, ignored)) return place;
   }
   return findByName("patient", "resources/patients", patient);
+}
+
+std::string pathBeside(const std::string& nameOrFile, const fs::path& folder)
+{
+  const fs::path file = nameOrFile;
+  std::error_code ignored;
+  // a name is of a shipped file, whatever lies in the folder
+  if (folder.empty() || file.extension() != ".toml" || file.is_absolute() ||
+      !fs::is_regular_file(folder / file, ignored))
+    return nameOrFile;
+  return fs::absolute(folder / file).lexically_normal().string();
+}
+
+Overrides withFilesIn(const fs::path& folder, Overrides overrides)
+{
+  for (auto& [key, value] : overrides)
+    if (std::ranges::find(fileKeys, key) != fileKeys.end()) value = pathBeside(value, folder);
+  return overrides;
 }
 
 std::vector<fs::path> filesOf(const ScenarioContent& scenario, const std::string& friction,

@@ -109,13 +109,16 @@ private:
   std::shared_ptr<const ScenarioContent> content_;  ///< Never null.
 };
 
-/// Reads a scenario by a shipped name or a file's path, with everything it names. A patient is
-/// looked for beside the scenario's file, then among the shipped ones; one given as an override is
-/// looked for in the working folder first.
+/// Reads a scenario by a shipped name or a file's path, with everything it names. A patient and paths of
+/// other files are looked for beside the scenario's file, then among the shipped ones and in the working
+/// folder; what is given as an override is looked for in the working folder first.
 Result<Scenario> loadScenario(const std::string& nameOrFile, const Overrides& overrides = {});
 /// The same from a text, such as the one a recording keeps. `name` stands for the file in messages.
 Result<Scenario> parseScenario(const std::string& text, const std::string& name,
                                const Overrides& overrides = {});
+
+/// The same overrides with absolute paths, where one gives the path of a file in the folder.
+Overrides withFilesIn(const std::filesystem::path& folder, Overrides overrides);
 
 /// The cochlea of an insertion. Takes some tenths of a second.
 Result<std::shared_ptr<const anatomy::ScalaTympani>> buildAnatomy(

@@ -37,6 +37,13 @@ struct StudyRange {
   double low = 0.0, high = 0.0;
 };
 
+/// What the file that a setting names says, to group insertions by it.
+struct StudyFileValue {
+  std::string key, value;  ///< The setting: "friction", "frictions/own.toml".
+  std::string name;        ///< "array_name", or the scenario's key: "friction_static".
+  std::string content;
+};
+
 /// A study as read from its file; immutable, as long as checkFiles() holds. Case k depends on the text of the study, its seed and
 /// k alone: any part of a study can be run anywhere, in any order.
 ///
@@ -56,6 +63,8 @@ public:
   /// A sentence for each patient whose measures were changed by hand, then for each whose measures
   /// name an origin without a seal.
   const std::vector<std::string>& notes() const noexcept { return notes_; }
+  /// The name of each varied array and the coefficients of each varied friction, unless they are settings.
+  const std::vector<StudyFileValue>& fileValues() const noexcept { return fileValues_; }
   /// Distance between the points of the force profiles that are kept; 0: none are.
   Length profileSpacing() const noexcept { return profileSpacing_; }
   /// Whether the position of each contact is kept.
@@ -86,6 +95,7 @@ private:
   bool isFullDepth_ = true;
   std::vector<StudyCochlea> cochleae_;
   std::vector<std::string> notes_;
+  std::vector<StudyFileValue> fileValues_;
   std::map<std::filesystem::path, std::string> files_;  ///< What it names, with their SHA-256.
   std::vector<session::Overrides> combinations_;
   std::vector<session::Scenario> scenarios_;  ///< One per combination, in the scenario's cochlea.
@@ -106,7 +116,7 @@ inline constexpr std::size_t maxCombinations = 10'000;
 /// Reads a study and checks it whole: every combination is read as a scenario, every range at both
 /// ends, every patient. Errors name the file, the key and what is allowed.
 Result<Study> loadStudy(const std::filesystem::path& file);
-/// The same from its text; files it names are looked for beside `file`.
+/// The same from its text. Paths in it are of its folder first, then of the working folder.
 Result<Study> parseStudy(const std::string& text, const std::filesystem::path& file);
 
 }  // namespace perilymph::study

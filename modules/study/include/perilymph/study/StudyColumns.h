@@ -16,7 +16,8 @@ namespace perilymph::study {
 
 /// A number of every insertion.
 struct StudyQuantity {
-  std::string key;             ///< As in the table: "peak_mN", or the key of a setting.
+  std::string
+      key;  ///< As in the table: "peak_mN", the key of a setting, or a file's "friction_static".
   std::vector<double> values;  ///< One per insertion; NaN where it has none.
 };
 
@@ -70,6 +71,11 @@ public:
   /// The factor with a key; null if there is none.
   const StudyFactor* factor(const std::string& key) const;
 
+  /// What the files say that settings name, by StudyFileValue::name, in alphabetical order.
+  std::vector<std::string> fileColumns() const;
+  /// The content under a name for an insertion; empty if it has none.
+  std::string fileValueOf(const StudyResult& result, const std::string& name) const;
+
   /// Settings that are quantities but no factors: drawn from a range, or with too many values.
   std::vector<std::string> ranges() const;
 
@@ -83,6 +89,7 @@ private:
   StudyFileFacts facts_;
   std::vector<StudyResult> results_;
   std::vector<StudyQuantity> quantities_;
+  std::size_t settingsEnd_ = 0;  ///< End of those of insertions and settings; of files follow.
   std::vector<StudyFactor> factors_;
 };
 

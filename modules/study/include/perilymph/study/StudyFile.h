@@ -6,11 +6,12 @@
 //
 // Tables, with SI units unless the name says another:
 //   meta(key, value)        title, study (its text), fingerprint, program, cases, first, end, notes
-//                           (where there are any, one a line), and the seal over everything
+//                           (where there are any, one a line), files (Study::fileValues() as
+//                           JSON, where there are any), and the seal over everything
 //   insertion(number, ...)  one row per insertion; `settings` is JSON, scenario key: value
 //   profile(number, depth_mm, force_mN)          if the study keeps force profiles
 //   contact(number, contact, angle_deg, depth_mm, to_modiolus_mm, frequency_Hz)   if it keeps them
-// Views, one per question (StudyViews.cpp): setting, ending_by_setting, distribution_by_setting,
+// Views, one per question (StudyViews.cpp): file_value, setting, ending_by_setting, distribution_by_setting,
 // outcome_by_setting, outcome_by_size, extreme.
 
 #include <cstddef>
@@ -48,7 +49,8 @@ struct StudyFileFacts {
   std::size_t cases = 0;                ///< Number of insertions of the whole study.
   std::size_t first = 0, end = 0;       ///< Cases that this file is for: first to end - 1.
   std::vector<std::string> notes = {};  ///< On its patients (Study::notes()).
-  Seal seal = Seal::intact;             ///< State of the file that they were read from.
+  std::vector<StudyFileValue> fileValues = {};
+  Seal seal = Seal::intact;  ///< State of the file that they were read from.
 };
 /// Those of a study run by this program.
 StudyFileFacts factsOf(const Study& study, std::size_t first, std::size_t end);

@@ -20,6 +20,7 @@ install(FILES packaging/udev/70-perilymph.rules DESTINATION lib/udev/rules.d COM
 # Desktop menu entry.
 install(FILES packaging/desktop/org.perilymph.perilymph.desktop DESTINATION "${share}/applications" COMPONENT program)
 install(FILES packaging/desktop/org.perilymph.perilymph.metainfo.xml DESTINATION "${share}/metainfo" COMPONENT program)
+install(FILES packaging/desktop/perilymph.thumbnailer DESTINATION "${share}/thumbnailers" COMPONENT program)
 install(FILES packaging/desktop/org.perilymph.perilymph.xml DESTINATION "${share}/mime/packages" COMPONENT program)
 foreach(size IN ITEMS 48 64 128 256)
   install(FILES resources/icons/perilymph-${size}.png RENAME perilymph.png COMPONENT program

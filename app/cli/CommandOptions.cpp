@@ -176,6 +176,13 @@ void addReplay(CLI::App& app, FileOptions& files, ReplayOptions& options)
   files.writes(command.add_option("--contacts", options.contacts,
                                   "Write the contacts at the maximum depth: angle, frequencies, "
                                   "default filter, mismatch (CSV)"));
+  CLI::Option* thumbnail = command.add_option(
+      "--thumbnail", options.thumbnail,
+      "Draw force over travel with peak and depth as a small square picture (PNG)");
+  files.writes(thumbnail);
+  command.add_option("--size", options.size_px, "Side of the thumbnail in pixels (default: 256)")
+      ->check(CLI::Range(32, 1024))
+      ->needs(thumbnail);
 }
 
 void addValidate(CLI::App& app, FileOptions& files, ValidateOptions& options)

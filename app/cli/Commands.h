@@ -44,6 +44,8 @@ struct ReplayOptions {
   bool verifies = false;
   std::string csv;
   std::string contacts;
+  std::string thumbnail;
+  int size_px = 256;  ///< Side of the thumbnail.
 };
 Result<void> replay(const ReplayOptions& options);
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "Commands.h"
+#include "RecordingThumbnail.h"
 #include "Terminal.h"
 #include "perilymph/analysis/ContactPositions.h"
 #include "perilymph/analysis/ForceProfile.h"
@@ -13,6 +14,9 @@
 #include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
+#if PERILYMPH_HAS_TOOLKIT
+#include "perilymph/charts/FigurePicture.h"
+#endif
 
 namespace perilymph::cli {
 
@@ -36,7 +40,7 @@ Result<void> writeRows(const session::RecordedInsertion& recorded, const std::st
   return written;
 }
 
-Result<void> printContent(const session::RecordedInsertion& recorded)
+Result<analysis::ForceProfile> profileOf(const session::RecordedInsertion& recorded)
 {
   analysis::ForceProfiler profiler;
   const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
@@ -44,8 +48,12 @@ Result<void> printContent(const session::RecordedInsertion& recorded)
     return true;
   });
   if (!read) return read.error();
+  return profiler.profile();
+}
+
+void printContent(const session::RecordedInsertion& recorded, const analysis::ForceProfile& profile)
+{
   const session::RecordingFacts& facts = recorded.facts();
-  const analysis::ForceProfile profile = profiler.profile();
   print("{}, recorded {} by {} ({})\n", facts.scenarioName, facts.startedUtc, facts.buildId,
         facts.device);
   print("{:18} {}, lost {}, {}\n", "samples", profile.ticks, recorded.lostRecords(),
@@ -55,7 +63,6 @@ Result<void> printContent(const session::RecordedInsertion& recorded)
   print("{:18} travel {} mm, insertion depth {} mm\n", "at the end",
         fixed(inMillimeters(meters(profile.finalTravel)), 2),
         fixed(inMillimeters(meters(profile.finalDepth)), 2));
-  return {};
 }
 
 Result<void> verifyBits(const std::string& file)
@@ -121,6 +128,18 @@ Result<void> writeContacts(const session::RecordedInsertion& recorded, const std
   return writeWhole(csv, *table);
 }
 
+Result<void> writeThumbnail([[maybe_unused]] const analysis::ForceProfile& profile,
+                            const ReplayOptions& options)
+{
+#if PERILYMPH_HAS_TOOLKIT
+  constexpr double pixelsPerPoint = 3.0;  // of writePicture()
+  return charts::writePicture(thumbnailOf(profile, options.size_px / pixelsPerPoint),
+                              options.thumbnail);
+#else
+  return Error{"This build has no VTK, which draws %1. Leave --thumbnail out.", options.thumbnail};
+#endif
+}
+
 }  // namespace
 
 Result<void> replay(const ReplayOptions& options)
@@ -139,8 +158,14 @@ Result<void> replay(const ReplayOptions& options)
   if (!options.contacts.empty())
     if (const auto done = writeContacts(*recorded, options.file, options.contacts); !done)
       return done.error();
+  if (options.verifies && options.thumbnail.empty()) return verifyBits(options.file);
+  const auto profile = profileOf(*recorded);
+  if (!profile) return profile.error();
+  if (!options.thumbnail.empty())
+    if (const auto done = writeThumbnail(*profile, options); !done) return done.error();
   if (options.verifies) return verifyBits(options.file);
-  return printContent(*recorded);
+  printContent(*recorded, *profile);
+  return {};
 }
 
 }  // namespace perilymph::cli

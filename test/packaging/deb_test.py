@@ -87,6 +87,33 @@ class DebianPackages(unittest.TestCase):
         self.assertEqual({each.text for each in ElementTree.parse(description).iter("modalias")}, devices)
         self.assertGreater(len(devices), 3)
 
+    def test_a_file_manager_knows_recordings_and_studies_and_draws_a_recording(self):
+        share = self.unpacked / "usr/share"
+        known = self.folder / "share"
+        (known / "mime/packages").mkdir(parents=True)
+        for file in (Path("/usr/share/mime/packages/freedesktop.org.xml"), share / "mime/packages/org.perilymph.perilymph.xml"):
+            (known / "mime/packages" / file.name).write_bytes(file.read_bytes())
+        self.assertEqual(run("update-mime-database", known / "mime").returncode, 0)
+        study = self.folder / "study.toml"
+        study.write_text('title = "One"\nscenario = "mean-flex28"\n[cochleae]\nmean = true\n[vary]\nnodes = [30]\ndt_ms = [10.0]\n')
+        cli = self.unpacked / "usr/bin/perilymph-cli"
+        recording = self.folder / "a.insertion"
+        for words in (("study", "run", study, "--out", self.folder / "results"),
+                      ("simulate", "--scenario", "mean-flex28", "--nodes", "50", "--record", recording)):
+            done = run(cli, *words, cwd="/")
+            self.assertEqual(done.returncode, 0, done.stderr)
+        env = {**os.environ, "XDG_DATA_HOME": str(known), "XDG_DATA_DIRS": str(known)}
+        handled = (share / "applications/org.perilymph.perilymph.desktop").read_text()
+        for file, kind in ((recording, "insertion"), (self.folder / "results/study.sqlite", "study")):
+            said = run("gio", "info", "-a", "standard::content-type", file, env=env).stdout
+            self.assertIn(f"application/x-perilymph-{kind}", said)
+            self.assertIn(f"application/x-perilymph-{kind};", handled)
+        entry = (share / "thumbnailers/perilymph.thumbnailer").read_text()
+        words = re.search(r"^Exec=perilymph-cli (.*)$", entry, re.MULTILINE).group(1).split()
+        places = {"%i": recording, "%o": self.folder / "thumb", "%s": "128"}
+        self.assertEqual(run(cli, *(places.get(each, each) for each in words), cwd="/").returncode, 0)
+        self.assertEqual((self.folder / "thumb").read_bytes()[:4], b"\x89PNG")
+
     def test_unpacked_anywhere_it_runs_from_its_own_data(self):
         env = {key: value for key, value in os.environ.items() if key != "PERILYMPH_RESOURCES"}
         cli = self.unpacked / "usr/bin/perilymph-cli"

@@ -48,6 +48,34 @@ TEST(ReplayCommand, WritesTheContactsAtTheMaximumDepth)
               0.05);
 }
 
+TEST(ReplayCommand, DrawsAThumbnailOfItsSizeAndWithoutThePatient)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      cli(shortSimulation({"--set", "stop_travel_mm=8", "--record", folder / "run.insertion"}))
+          .status,
+      0);
+  // file managers ask for a name without an extension
+  const auto drawn =
+      cli({"replay", folder / "run.insertion", "--thumbnail", folder / "thumb", "--size", "128"});
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  const std::string picture = contentOf(folder / "thumb");
+  ASSERT_GT(picture.size(), 33u);
+  EXPECT_EQ(picture.substr(1, 3), "PNG");
+  const auto number = [&](std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8 | static_cast<std::uint8_t>(picture[at + i]);
+    return value;
+  };
+  EXPECT_EQ(number(16), 128u);
+  EXPECT_EQ(number(20), 128u);
+  expectRefusal(cli({"replay", folder / "run.insertion", "--size", "128"}), "--thumbnail");
+  expectRefusal(
+      cli({"replay", folder / "run.insertion", "--thumbnail", folder / "t", "--size", "5"}),
+      "size");
+}
+
 TEST(ReplayCommand, SaysWhatIsWrongWithTheFile)
 {
   const TemporaryFolder folder;

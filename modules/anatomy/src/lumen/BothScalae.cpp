@@ -35,8 +35,8 @@ Outline withoutPartition(const ScalaTympani& scala, double angle, double mirror)
 {
   const SectionWall wall(scala, angle);
   Outline whole;
-  for (int k = 0; k < corners; ++k) {
-    const Eigen::Vector3d at = wall.at(2.0 * pi * k / corners);
+  for (const Direction& direction : directionsAround<corners>()) {
+    const Eigen::Vector3d at = wall.at(direction);
     whole.push_back({std::sqrt(at.x() * at.x() + at.y() * at.y()), at.z()});
   }
   const auto isNearer = [](const HalfPlanePoint& a, const HalfPlanePoint& b) { return a.r < b.r; };
@@ -52,6 +52,17 @@ Outline withoutPartition(const ScalaTympani& scala, double angle, double mirror)
   return both;
 }
 
+/// Section::roofHeight: of the same directions those upward, since the others lie below the center.
+double roofHeight(const ScalaTympani& scala, double angle)
+{
+  constexpr std::size_t steps = 720;
+  const SectionWall outline(scala, angle);
+  const auto& rays = directionsAround<steps>();
+  double roof = -1e9;
+  for (std::size_t k = 0; k <= steps / 2; ++k) roof = std::max(roof, outline.at(rays[k]).z());
+  return roof;
+}
+
 }  // namespace
 
 std::vector<double> partitionHeights(const ScalaTympani& scala)
@@ -59,15 +70,16 @@ std::vector<double> partitionHeights(const ScalaTympani& scala)
   std::vector<double> heights;
   for (std::size_t i = 0; i < scala.tables().centerHeight.size(); ++i) {
     const double angle = scala.tables().step * static_cast<double>(i);
-    heights.push_back(std::max(scala.section(angle).roofHeight, scala.membrane_W(angle, 0.5).z()));
+    heights.push_back(std::max(roofHeight(scala, angle), scala.membrane_W(angle, 0.5).z()));
   }
   return heights;
 }
 
-std::shared_ptr<const ScalaTympani> ScalaeAbove::buildVestibuli(const ScalaTympani& scala)
+std::shared_ptr<const ScalaTympani> ScalaeAbove::buildVestibuli(
+    const ScalaTympani& scala, const std::vector<double>& partition)
 {
   const SectionTables& below = scala.tables();
-  std::vector<double> heights = partitionHeights(scala);
+  std::vector<double> heights = partition;
   for (std::size_t i = 0; i < heights.size(); ++i)
     heights[i] = 2.0 * heights[i] - below.centerHeight[i];
   SectionTables tables = centeredAt(scala, "scala vestibuli", heights);
@@ -79,18 +91,20 @@ std::shared_ptr<const ScalaTympani> ScalaeAbove::buildVestibuli(const ScalaTympa
   return std::make_shared<const ScalaTympani>(std::move(tables));
 }
 
-std::shared_ptr<const ScalaTympani> ScalaeAbove::buildBoth(const ScalaTympani& scala)
+std::shared_ptr<const ScalaTympani> ScalaeAbove::buildBoth(const ScalaTympani& scala,
+                                                           const std::vector<double>& heights)
 {
-  const std::vector<double> heights = partitionHeights(scala);
   SectionTables tables = centeredAt(scala, "both scalae", heights);
   const auto directions = static_cast<std::size_t>(tables.directions);
+  std::vector<SineCosine> rays;
+  for (std::size_t k = 0; k < directions; ++k)
+    rays.push_back(sineCosine(2.0 * pi * static_cast<double>(k) / static_cast<double>(directions)));
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const double angle = tables.step * static_cast<double>(i);
     const Outline both = withoutPartition(scala, angle, heights[i]);
     std::size_t near = 0;
     for (std::size_t k = 0; k < directions; ++k) {
-      const SineCosine ray =
-          sineCosine(2.0 * pi * static_cast<double>(k) / static_cast<double>(directions));
+      const SineCosine& ray = rays[k];
       tables.wallRadius[i * directions + k] =
           radiusIn(both, {tables.centerRadius[i], heights[i]}, ray, near);
     }

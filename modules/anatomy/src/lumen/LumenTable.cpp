@@ -40,8 +40,8 @@ LumenField::LumenField(const ScalaTympani& scala) : entry_(scala.entry()), inwar
     const SineCosine turn = sineCosine(angle);
     const SectionWall outline(scala, angle);
     double width = 0.0, tall = 0.0;
-    for (int k = 0; k < outlinePoints; ++k) {
-      const Eigen::Vector3d e = outline.at(2.0 * pi * k / outlinePoints) - center;
+    for (const Direction& direction : directionsAround<outlinePoints>()) {
+      const Eigen::Vector3d e = outline.at(direction) - center;
       width = std::max(width, std::fabs(e.x() * turn.cosine + e.y() * turn.sine));
       tall = std::max(tall, std::fabs(e.z()));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lumen/LeadIn.h"
+#include "lumen/SectionWall.h"
 #include "perilymph/foundation/Units.h"
 
 namespace perilymph::anatomy {
@@ -63,9 +64,8 @@ SectionTables tablesFrom(const OutlineSource& source, const std::string& name, d
     tables.membraneHeight.push_back(roofAt(here.outline, center.r + 0.5 * here.membraneWidth) -
                                     center.z);
     std::size_t near = 0;
-    for (int k = 0; k < directions; ++k) {
-      const SineCosine ray = sineCosine(2.0 * pi * k / directions);
-      tables.wallRadius.push_back(radiusIn(here.outline, center, ray, near));
+    for (const Direction& ray : directionsAround<directions>()) {
+      tables.wallRadius.push_back(radiusIn(here.outline, center, ray.around, near));
       requireSeenWhole(tables.wallRadius.back(), angle);
     }
   }

@@ -3,6 +3,7 @@
 
 // The wall of one section in many directions: what depends on the angle alone is computed once.
 
+#include <array>
 #include <cstddef>
 
 #include "numerics/CubicTable.h"
@@ -17,6 +18,27 @@ struct Place {
   double fraction;
 };
 
+/// A direction around a section [rad], with its sine and cosine.
+struct Direction {
+  double angle;
+  SineCosine around;
+};
+
+/// Directions at equal steps around a section, computed once for each count.
+template <int count>
+const std::array<Direction, count>& directionsAround()
+{
+  static const std::array<Direction, count> all = [] {
+    std::array<Direction, count> each;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2.0 * pi * k / count;
+      each[static_cast<std::size_t>(k)] = {angle, sineCosine(angle)};
+    }
+    return each;
+  }();
+  return all;
+}
+
 /// The outline of a scala tympani at an angle. Refers to the scala.
 class SectionWall {
 public:
@@ -30,6 +52,10 @@ public:
   }
   /// The same for a direction whose sine and cosine are known.
   Eigen::Vector3d at(double direction, const SineCosine& around) const noexcept;
+  Eigen::Vector3d at(const Direction& direction) const noexcept
+  {
+    return at(direction.angle, direction.around);
+  }
 
   /// Bounds of the distance between center and wall in all directions [m]: a spline lies between its
   /// coefficients. Takes as long as ten points.

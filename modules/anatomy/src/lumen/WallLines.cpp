@@ -30,14 +30,13 @@ WallLines::WallLines(const ScalaTympani& scala, double angle)
   const SectionWall behind(scala, middle - nudge), ahead(scala, middle + nudge);
 
   for (int k = 0; k < points; ++k) {
-    const double direction = 2.0 * pi * k / points;
-    const SineCosine around = sineCosine(direction);
-    const Eigen::Vector3d e = here.at(direction, around) - center;
-    const Eigen::Vector3d before = behind.at(direction, around);
-    const Eigen::Vector3d after = ahead.at(direction, around);
+    const Direction& direction = directionsAround<points>()[static_cast<std::size_t>(k)];
+    const Eigen::Vector3d e = here.at(direction) - center;
+    const Eigen::Vector3d before = behind.at(direction);
+    const Eigen::Vector3d after = ahead.at(direction);
     const Eigen::Vector3d along = (after - before).normalized();
     Eigen::Vector3d bend =
-        (after + before - 2.0 * at.at(direction, around)) / (0.25 * (after - before).squaredNorm());
+        (after + before - 2.0 * at.at(direction)) / (0.25 * (after - before).squaredNorm());
     bend -= bend.dot(along) * along;
     const std::size_t place = placeOf(k);
     u_[place] = e.dot(outward);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lumen/SectionWall.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {
@@ -104,13 +105,14 @@ Outline MeanOutlines::outline(double angle, double fraction) const
     real[k] = size * real_[k](angle);
     imaginary[k] = size * imaginary_[k](angle);
   }
+  const auto& turns = directionsAround<corners>();
   Outline outline;
   outline.reserve(corners);
   for (int i = 0; i < corners; ++i) {
     HalfPlanePoint point{real[harmonics], imaginary[harmonics]};
     for (int k = 1; k <= harmonics; ++k) {
       // e^(i k t) and its conjugate, each times its coefficient
-      const SineCosine turn = sineCosine(2.0 * pi * ((i * k) % corners) / corners);
+      const SineCosine& turn = turns[static_cast<std::size_t>((i * k) % corners)].around;
       const int forward = harmonics + k;
       const int backward = harmonics - k;
       const auto ahead = static_cast<std::size_t>(forward);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <stop_token>
 
@@ -57,18 +57,17 @@ std::string bandText(const planning::Band& band, int decimals)
 
 /// The arrays at the end of their median draws: `array, draw, node, x, y, z`, a row per node from the
 /// base to the tip, in the cochlear frame.
-Result<std::string> shapesCsv(const planning::Plan& plan)
+Result<std::string> shapesCsv(const planning::Plan& plan, const std::stop_token& stop)
 {
+  const auto ends = planning::representativeEnds(plan, stop);
+  if (!ends) return ends.error();
   std::string csv = headerOf(planning::shapeColumns()) + "\n";
-  for (std::size_t i = 0; i < plan.arrays.size(); ++i) {
-    const std::size_t draw = planning::medianDraw(plan, i);
-    if (draw == 0) continue;  // no draw could be run
-    const auto shape = planning::shapeOf(plan, i, draw, {});
-    if (!shape) return shape.error();
-    for (std::uint32_t node = 0; node < shape->end.nodes; ++node) {
-      csv += analysis::csvField(plan.arrays[i].array) + "," + std::to_string(draw) + "," +
-             std::to_string(node + 1);
-      for (const float place : shape->end.node_W[node])
+  for (std::size_t i = 0; i < ends->size(); ++i) {
+    std::size_t node = 0;
+    for (const auto& node_W : (*ends)[i].node_W) {
+      csv += analysis::csvField(plan.arrays[i].array) + "," + std::to_string((*ends)[i].draw) +
+             "," + std::to_string(++node);
+      for (const float place : node_W)
         csv += "," + fixed(inMillimeters(meters(static_cast<double>(place))), 4);
       csv += '\n';
     }
@@ -157,7 +156,7 @@ Result<void> plan(const PlanOptions& options, const CommandFiles& files)
   const auto json = planning::planJson(*plan);
   if (!json) return json.error();
 
-  const auto shapes = shapesCsv(*plan);
+  const auto shapes = shapesCsv(*plan, stop);
   if (!shapes) return shapes.error();
 
   FolderContent content;

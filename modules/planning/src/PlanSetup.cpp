@@ -125,15 +125,22 @@ PlannedInsertion plannedOf(const PlanDraw& draw, double stiffness, std::size_t n
   return planned;
 }
 
-Result<std::shared_ptr<const anatomy::ScalaTympani>> buildCochlea(const PlanDraw& draw,
-                                                                  Length leadIn)
+/// The cochlea of a draw, which all arrays of the plan share: its lead-in is the first array's.
+Result<std::shared_ptr<const anatomy::ScalaTympani>> buildCochlea(const PlanSetup& setup,
+                                                                  const PlanDraw& draw)
 {
   try {
-    return anatomy::buildMean(draw.patient.label, *draw.patient.basalTurn, draw.shape, leadIn);
+    return anatomy::buildMean(draw.patient.label, *draw.patient.basalTurn, draw.shape,
+                              setup.nominal.front().parameters.cochlea.leadIn);
   } catch (const std::invalid_argument& error) {
     return Error{"A cochlea of %1 cannot be built: %2. Check A and B and their errors.",
                  draw.patient.label, error.what()};
   }
+}
+
+std::vector<std::array<float, 3>> nodesOf(const haptics::Snapshot& shown)
+{
+  return {shown.node_W.begin(), shown.node_W.begin() + shown.nodes};
 }
 
 /// One array in a draw.
@@ -148,7 +155,7 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
   const double stiffness = stiffnessFactor(draw, nominal.stiffnessDeviation);
   shape.parameters = drawnParameters(nominal.parameters, draw, stiffness, request.resolution);
   if (!shape.anatomy) {
-    auto built = buildCochlea(draw, shape.parameters.cochlea.leadIn);
+    auto built = buildCochlea(setup, draw);
     if (!built) return built.error();
     shape.anatomy = *std::move(built);
   }
@@ -161,6 +168,7 @@ Result<PlannedInsertion> insertArray(const PlanRequest& request, const PlanSetup
   planned.intended_mm = inMillimeters(analysis::intendedDepth(shape.parameters, draw.surgeon));
   planned.insertion = analysis::asPossible(analysis::insertByHand(
       shape.parameters, shape.anatomy, setup.hand, draw.surgeon, profileSpacing, stop, &shape.end));
+  if (planned.insertion.end != haptics::InsertionEnd::refused) planned.end_W = nodesOf(shape.end);
   return planned;
 }
 
@@ -281,11 +289,20 @@ Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const 
   return insertions;
 }
 
+Result<std::shared_ptr<const anatomy::ScalaTympani>> cochleaOf(const PlanRequest& request,
+                                                               const PlanSetup& setup,
+                                                               std::size_t number)
+{
+  return buildCochlea(setup, drawOf(request, setup, number));
+}
+
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
-                              std::size_t number, const std::stop_token& stop)
+                              std::size_t number, const std::stop_token& stop,
+                              std::shared_ptr<const anatomy::ScalaTympani> cochlea)
 {
   const PlanDraw draw = drawOf(request, setup, number);
   PlannedShape shape;
+  shape.anatomy = std::move(cochlea);
   auto planned = insertArray(request, setup, draw, number, array, traceSpacing, shape, stop);
   if (!planned) return planned.error();
   shape.insertion = *std::move(planned);
@@ -301,8 +318,7 @@ Result<UnstoppedDraw> runWithoutStop(const PlanRequest& request, const PlanSetup
   const auto parameters =
       drawnParameters(nominal.parameters, draw, stiffnessFactor(draw, nominal.stiffnessDeviation),
                       request.resolution);
-  // the cochlea is shared by all arrays of the plan: its lead-in is the first array's
-  const auto anatomy = buildCochlea(draw, setup.nominal.front().parameters.cochlea.leadIn);
+  const auto anatomy = buildCochlea(setup, draw);
   if (!anatomy) return anatomy.error();
   return UnstoppedDraw{
       number, draw.surgeon.frictionFactor, draw.surgeon.stop,

@@ -3,6 +3,7 @@
 
 // Everything that a plan's insertions need, read once: arrays, distributions, thresholds.
 
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -53,9 +54,17 @@ void addClinic(Plan& plan, const PlanSetup& setup);
 Result<std::vector<PlannedInsertion>> runDraw(const PlanRequest& request, const PlanSetup& setup,
                                               std::size_t number, const std::stop_token& stop);
 
+/// The cochlea of one draw.
+Result<std::shared_ptr<const anatomy::ScalaTympani>> cochleaOf(const PlanRequest& request,
+                                                               const PlanSetup& setup,
+                                                               std::size_t number);
+
 /// One array in one draw.
+///
+/// @param cochlea  That of the draw; built if null.
 Result<PlannedShape> runShape(const PlanRequest& request, const PlanSetup& setup, std::size_t array,
-                              std::size_t number, const std::stop_token& stop);
+                              std::size_t number, const std::stop_token& stop,
+                              std::shared_ptr<const anatomy::ScalaTympani> cochlea = nullptr);
 
 /// One array in one draw, pushed without a stop.
 Result<UnstoppedDraw> runWithoutStop(const PlanRequest& request, const PlanSetup& setup,

@@ -206,6 +206,37 @@ TEST_F(SmallPlan, RunsADrawAgainForAView)
   EXPECT_EQ(contacts.front().angle.si(), planned.contacts.front().angle.si());
 }
 
+TEST_F(SmallPlan, KeepsTheEndsThatRepresentItsArraysOrRunsThemAgainToTheSameBits)
+{
+  const planning::Plan& plan = usual();
+  const auto kept = planning::representativeEnds(plan, {});
+  ASSERT_TRUE(kept) << kept.error().message;
+  ASSERT_EQ(kept->size(), 2u);
+  for (std::size_t array = 0; array < kept->size(); ++array) {
+    const planning::RepresentativeEnd& end = (*kept)[array];
+    EXPECT_EQ(end.draw, planning::medianDraw(plan, array));
+    const auto shape = planning::shapeOf(plan, array, end.draw, {});
+    ASSERT_TRUE(shape) << shape.error().message;
+    ASSERT_EQ(end.node_W.size(), 30u);
+    for (std::size_t node = 0; node < 30; ++node)
+      EXPECT_EQ(end.node_W[node], shape->end.node_W[node]) << array << " " << node;
+  }
+  // as they are read from a file: without their ends
+  for (const unsigned jobs : {1u, 2u}) {
+    planning::Plan read = plan;
+    read.request.jobs = jobs;
+    for (planning::PlannedInsertion& each : read.insertions) each.end_W.clear();
+    const auto again = planning::representativeEnds(read, {});
+    ASSERT_TRUE(again) << again.error().message;
+    for (std::size_t array = 0; array < kept->size(); ++array) {
+      EXPECT_EQ((*again)[array].draw, (*kept)[array].draw);
+      EXPECT_EQ((*again)[array].node_W, (*kept)[array].node_W) << array;
+    }
+    read.isCurrent = false;
+    EXPECT_FALSE(planning::representativeEnds(read, {}));
+  }
+}
+
 TEST_F(SmallPlan, HasNoShapeOfADrawThatWasNotRun)
 {
   EXPECT_FALSE(planning::shapeOf(usual(), 1, 4, {}));

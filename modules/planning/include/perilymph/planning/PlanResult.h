@@ -3,6 +3,7 @@
 
 // The insertions of a plan and what they give for each array.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -51,6 +52,9 @@ struct PlannedInsertion {
   double push_mm = 0.0;
   bool isPushedFully = true;
   std::vector<double> stop_mm = {};
+  /// Nodes of the array at the end, from the base to the tip, in W [m]; empty for an insertion that was
+  /// read from a file.
+  std::vector<std::array<float, 3>> end_W = {};
   analysis::ClinicalInsertion insertion;
 };
 

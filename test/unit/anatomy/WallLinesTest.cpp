@@ -7,10 +7,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <vector>
 
+#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/ScalaVestibuli.h"
 #include "perilymph/foundation/Four.h"
 #include "perilymph/foundation/Units.h"
 #include "perilymph/test/Tolerance.h"
@@ -18,21 +23,53 @@
 namespace perilymph::anatomy {
 namespace {
 
+/// Increasing places on both sides of a section, far beyond its walls, at uneven steps.
+std::vector<double> unevenPlaces(std::size_t count, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> places(-1.8e-3, 1.8e-3);
+  std::vector<double> all(count);
+  for (double& each : all) each = places(random);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+// Grids of all sizes, fine and coarse, so that no block of the search is special.
+TEST(WallLinesOfASection, GiveAGridTheBitsOfEveryPointByItself)
+{
+  std::mt19937 random(12);
+  const std::shared_ptr<const ScalaTympani> mean = *buildMean(millimeters(1));
+  const std::shared_ptr<const ScalaTympani> ducts[] = {buildPublished({}, millimeters(1)), mean,
+                                                       vestibuliOf(*mean), bothScalaeOf(*mean)};
+  for (const auto& duct : ducts)
+    for (const double angle_deg : {0.0, 10.0, 95.0, 400.0, 660.0, 720.0, 880.0}) {
+      const double angle = std::min(degrees(angle_deg).si(), duct->lastAngle().si());
+      const WallLines lines(*duct, angle);
+      for (const std::size_t count : {std::size_t{1}, std::size_t{5}, std::size_t{46}}) {
+        const std::vector<double> u = unevenPlaces(count, random),
+                                  v = unevenPlaces(count + 2, random);
+        std::vector<double> found(u.size() * v.size());
+        lines.distances(u, v, found.data());
+        for (std::size_t i = 0; i < u.size(); ++i)
+          for (std::size_t j = 0; j < v.size(); ++j)
+            ASSERT_EQ(found[i * v.size() + j], lines.distance(u[i], v[j]))
+                << angle_deg << " " << u[i] << " " << v[j];
+      }
+    }
+}
+
 TEST(WallLinesOfASection, HaveTheSameBitsWithEveryInstructionSet)
 {
   const auto scala = buildPublished({}, millimeters(1));
-  const Instructions machine = machineInstructions();
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> places(-1.5e-3, 1.5e-3);
+  const std::vector<double> u = unevenPlaces(46, random), v = unevenPlaces(46, random);
   for (const double angle_deg : {0.0, 95.0, 400.0, 720.0}) {
     const WallLines lines(*scala, degrees(angle_deg).si());
-    for (int i = 0; i < 500; ++i) {
-      const double u = places(random), v = places(random);
-      kernelInstructions = Instructions::sse2;
-      const double expected = lines.distance(u, v);
-      kernelInstructions = machine;
-      ASSERT_EQ(lines.distance(u, v), expected) << angle_deg << " " << u << " " << v;
-    }
+    std::vector<double> expected(u.size() * v.size()), found(expected.size());
+    kernelInstructions = Instructions::sse2;
+    lines.distances(u, v, expected.data());
+    kernelInstructions = machineInstructions();
+    lines.distances(u, v, found.data());
+    ASSERT_EQ(found, expected) << angle_deg;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lumen/SectionWall.h"
@@ -138,19 +139,25 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const SectionWall outline(scala, angle);
   const SectionWall::Radii radii = outline.radii();
   constexpr double rounding = 1e-9;
-  float* distances = distance_.data() + (row + 1) * page;
-  for (int i = 0; i < across; ++i)
-    for (int j = 0; j < across; ++j) {
-      const double u = ((i - 1) / samplesPerUnit - margin) * width;
-      const double v = ((j - 1) / samplesPerUnit - margin) * tall;
-      const double off = std::sqrt(u * u + v * v);
+  std::array<double, across> u{}, v{};
+  for (int i = 0; i < across; ++i) {
+    const double inHalves = (i - 1) / samplesPerUnit - margin;
+    u[static_cast<std::size_t>(i)] = inHalves * width;
+    v[static_cast<std::size_t>(i)] = inHalves * tall;
+  }
+  std::array<double, page> distances;
+  lines.distances(u, v, distances.data());
+  float* to = distance_.data() + (row + 1) * page;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    for (std::size_t j = 0; j < v.size(); ++j) {
+      const double off = std::sqrt(u[i] * u[i] + v[j] * v[j]);
       bool isInside = off < (1.0 - rounding) * radii.min;
       if (!isInside && off < (1.0 + rounding) * radii.max) {
-        const Eigen::Vector3d wall = outline.at(arcTangent(v, u)) - center;
+        const Eigen::Vector3d wall = outline.at(arcTangent(v[j], u[i])) - center;
         isInside = off < std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
       }
-      const double distance = lines.distance(u, v);
-      distances[i * across + j] = static_cast<float>(isInside ? distance : -distance);
+      const double distance = distances[i * across + j];
+      to[i * across + j] = static_cast<float>(isInside ? distance : -distance);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "lumen/TrustRadius.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace perilymph::anatomy {
@@ -12,13 +13,13 @@ constexpr std::size_t levels = std::size(trustRadii);
 /// Sum of the squared third derivatives at each coefficient of a section [1/m^4]: the squared
 /// Frobenius norm, which bounds the derivative in every direction.
 void thirdDerivatives(const float* d, std::size_t across, double width, double height,
-                      std::vector<float>& squared)
+                      float* squared)
 {
   const auto perP = static_cast<float>(1.0 / width), perQ = static_cast<float>(1.0 / height);
   const float ppp = perP * perP * perP, ppq = perP * perP * perQ, pqq = perP * perQ * perQ,
               qqq = perQ * perQ * perQ;
   // beyond the last differences the table is extrapolated and not trusted
-  std::fill(squared.begin(), squared.end(), 1e30f);
+  std::fill_n(squared, across * across, 1e30f);
   for (std::size_t i = 0; i + 3 < across; ++i)
     for (std::size_t j = 0; j + 3 < across; ++j) {
       const float* c = d + i * across + j;
@@ -34,19 +35,19 @@ void thirdDerivatives(const float* d, std::size_t across, double width, double h
     }
 }
 
-/// The maximum over each window of six rows or columns: four coefficients of a cell and one cell to
-/// each side.
-void maxOfSix(const std::vector<float>& from, std::size_t lines, std::size_t length,
-              std::size_t lineStep, std::size_t step, std::vector<float>& to)
+/// The maximum over each window of six along a line: four coefficients of a cell and one cell to each
+/// side. Lines of `width` values side by side are computed together.
+void maxOfSix(const float* from, std::size_t length, std::size_t step, std::size_t width, float* to)
 {
-  for (std::size_t line = 0; line < lines; ++line)
-    for (std::size_t k = 0; k < length; ++k) {
-      const std::size_t first = k > 0 ? k - 1 : 0, last = std::min(k + 4, length - 1);
-      float largest = 0.0f;
-      for (std::size_t m = first; m <= last; ++m)
-        largest = std::max(largest, from[line * lineStep + m * step]);
-      to[line * lineStep + k * step] = largest;
+  for (std::size_t k = 0; k < length; ++k) {
+    const std::size_t first = k > 0 ? k - 1 : 0, last = std::min(k + 4, length - 1);
+    float* const row = to + k * step;
+    std::copy_n(from + first * step, width, row);
+    for (std::size_t m = first + 1; m <= last; ++m) {
+      const float* const other = from + m * step;
+      for (std::size_t i = 0; i < width; ++i) row[i] = row[i] < other[i] ? other[i] : row[i];
     }
+  }
 }
 
 }  // namespace
@@ -68,22 +69,32 @@ std::vector<std::uint8_t> trustLevels(const std::vector<float>& distance, std::s
 {
   const std::size_t page = across * across, sections = cellWidth.size();
   // the squares at which the next smaller radius is taken
-  double bounds[levels];
+  float bounds[levels];
   for (std::size_t k = 1; k < levels; ++k) {
     const double third = 6.0 * trustError / (trustRadii[k] * trustRadii[k] * trustRadii[k]);
-    bounds[k] = third * third;
+    bounds[k] = static_cast<float>(third * third);
+    // the last value that is not beyond
+    if (static_cast<double>(bounds[k]) > third * third) bounds[k] = std::nextafter(bounds[k], 0.0f);
   }
   std::vector<std::uint8_t> inSection(sections * page), all(sections * page);
-  std::vector<float> squared(page), wide(page);
+  std::vector<float> squared(page), wide(page), turned(page);
+  std::vector<std::int32_t> level(page);
   for (std::size_t s = 0; s < sections; ++s) {
-    thirdDerivatives(distance.data() + s * page, across, cellWidth[s], cellHeight[s], squared);
-    maxOfSix(squared, across, across, across, 1, wide);
-    maxOfSix(wide, across, across, 1, across, squared);
-    for (std::size_t k = 0; k < page; ++k) {
-      std::uint8_t level = 0;
-      while (level + 1u < levels && squared[k] <= bounds[level + 1]) ++level;
-      inSection[s * page + k] = level;
-    }
+    thirdDerivatives(distance.data() + s * page, across, cellWidth[s], cellHeight[s],
+                     squared.data());
+    maxOfSix(squared.data(), across, across, across, wide.data());
+    for (std::size_t i = 0; i < across; ++i)
+      for (std::size_t j = 0; j < across; ++j) turned[j * across + i] = wide[i * across + j];
+    maxOfSix(turned.data(), across, across, across, wide.data());
+    // the bounds decrease
+    const float* const largest = wide.data();
+    std::int32_t* const to = level.data();
+    std::fill_n(to, page, 0);
+    for (std::size_t m = 1; m < levels; ++m)
+      for (std::size_t k = 0; k < page; ++k) to[k] += largest[k] <= bounds[m] ? 1 : 0;
+    for (std::size_t i = 0; i < across; ++i)
+      for (std::size_t j = 0; j < across; ++j)
+        inSection[s * page + i * across + j] = static_cast<std::uint8_t>(to[j * across + i]);
   }
   for (std::size_t s = 0; s < sections; ++s) {
     std::uint8_t* to = all.data() + s * page;

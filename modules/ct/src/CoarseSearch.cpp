@@ -226,18 +226,25 @@ Eigen::Matrix3d axesOf(int direction, int roll, bool isRight)
 Candidate climb(const TemplateScore& image, const Sampling& points, Candidate candidate)
 {
   candidate.score = score(image, points, candidate.pose);
+  constexpr int moves = 12, rounds = 2;
   for (const double step : {1.0, 0.5, 0.25}) {
     const double turn = 0.2 * step, shift = 0.7 * step;
-    for (int round = 0; round < 2; ++round)
-      for (int move = 0; move < 12; ++move) {
-        Eigen::Vector3d by = Eigen::Vector3d::Zero();
-        by[move % 3] = (move / 3) % 2 == 0 ? 1.0 : -1.0;
-        const bool isTurn = move < 6;
-        const Pose pose =
-            candidate.pose.moved((isTurn ? turn : 0.0) * by, (isTurn ? 0.0 : shift) * by);
-        const double better = score(image, points, pose);
-        if (better > candidate.score) candidate = {pose, better};
+    // after as many failures as there are moves, each was tried at this pose
+    for (int trial = 0, failures = 0; trial < rounds * moves && failures < moves; ++trial) {
+      const int move = trial % moves;
+      Eigen::Vector3d by = Eigen::Vector3d::Zero();
+      by[move % 3] = (move / 3) % 2 == 0 ? 1.0 : -1.0;
+      const bool isTurn = move < 6;
+      const Pose pose =
+          candidate.pose.moved((isTurn ? turn : 0.0) * by, (isTurn ? 0.0 : shift) * by);
+      const double better = score(image, points, pose);
+      if (better > candidate.score) {
+        candidate = {pose, better};
+        failures = 0;
+      } else {
+        ++failures;
       }
+    }
   }
   return candidate;
 }
@@ -287,7 +294,8 @@ Template meanTemplate(const LumenShape& family)
 
 std::vector<Candidate> searchPoses(const Region& region, double bone, double lumen,
                                    const Template& points, const Eigen::Vector3d& near_P,
-                                   double reach_mm, std::size_t count, const std::stop_token& stop)
+                                   double reach_mm, std::size_t count, Threads threads,
+                                   const std::stop_token& stop)
 {
   const TemplateScore image(region, bone, lumen);
   const int steps = static_cast<int>(std::ceil(reach_mm / offsetStep));
@@ -299,22 +307,31 @@ std::vector<Candidate> searchPoses(const Region& region, double bone, double lum
         if (offset.norm() <= reach_mm) offsets.push_back(offset);
       }
   const Sampling coarse(points, 4), whole(points, 1);
-  std::vector<Candidate> found;
-  for (int direction = 0; direction < axisDirections; ++direction) {
-    if (stop.stop_requested()) return {};
-    for (int roll = 0; roll < rolls; ++roll)
-      for (const bool isRight : {true, false}) {
-        const Eigen::Matrix3d axes = axesOf(direction, roll, isRight);
-        std::vector<Pose> poses;
-        for (const Eigen::Vector3d& offset : offsets)
-          poses.push_back({axes, near_P + offset - axes * middle_W});
-        found.push_back(bestOf(image, coarse, poses));
-      }
-  }
+  constexpr std::size_t perDirection = 2 * rolls;
+  std::vector<Candidate> found(axisDirections * perDirection);
+  const auto searchDirection = [&](std::size_t direction) {
+    for (std::size_t k = 0; k < perDirection; ++k) {
+      const Eigen::Matrix3d axes =
+          axesOf(static_cast<int>(direction), static_cast<int>(k / 2), k % 2 == 0);
+      std::vector<Pose> poses;
+      poses.reserve(offsets.size());
+      for (const Eigen::Vector3d& offset : offsets)
+        poses.push_back({axes, near_P + offset - axes * middle_W});
+      found[direction * perDirection + k] = bestOf(image, coarse, poses);
+    }
+  };
+  eachPiece(axisDirections, threads, searchDirection, {}, stop);
+  if (stop.stop_requested()) return {};
   const auto better = [](const Candidate& a, const Candidate& b) { return a.score > b.score; };
   std::stable_sort(found.begin(), found.end(), better);
   found.resize(std::min(found.size(), polished));
-  for (Candidate& candidate : found) candidate = climb(image, whole, candidate);
+  constexpr std::size_t together = 16;
+  const auto climbSome = [&](std::size_t piece) {
+    for (std::size_t i = piece * together; i < std::min(found.size(), (piece + 1) * together); ++i)
+      found[i] = climb(image, whole, found[i]);
+  };
+  eachPiece((found.size() + together - 1) / together, threads, climbSome, {}, stop);
+  if (stop.stop_requested()) return {};
   std::stable_sort(found.begin(), found.end(), better);
   std::vector<Candidate> distinct;
   for (const Candidate& candidate : found) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "LumenShape.h"
+#include "Pieces.h"
 #include "Pose.h"
 #include "Region.h"
 
@@ -29,9 +30,10 @@ Template meanTemplate(const LumenShape& family);
 /// Finds distinct poses of both handednesses within `reach_mm` of a point, best first.
 ///
 /// @param lumen      Intensity of the lumen's content.
-/// @param stop       Ends the search early.
+/// @param stop       Ends the search early, with no pose.
 std::vector<Candidate> searchPoses(const Region& region, double bone, double lumen,
                                    const Template& points, const Eigen::Vector3d& near_P,
-                                   double reach_mm, std::size_t count, const std::stop_token& stop);
+                                   double reach_mm, std::size_t count, Threads threads,
+                                   const std::stop_token& stop);
 
 }  // namespace perilymph::ct

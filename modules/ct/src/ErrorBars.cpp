@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Pieces.h"
 #include "perilymph/anatomy/DuctLength.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
@@ -61,13 +62,14 @@ void fillMeasures(const LumenShape& family, const FitResult& fit, const RoundWin
   // Derivatives by every parameter of the shape.
   constexpr double step = 0.02;
   Eigen::Matrix<double, 3, shape::count> slopes;
-  for (int i = 0; i < shape::count; ++i) {
+  eachPiece(shape::count, Threads::all, [&](std::size_t piece) {
+    const auto i = static_cast<Eigen::Index>(piece);
     ShapeVector moved = shape;
     moved[i] += step;
     const Values there = valuesOf(family, moved, window, axis_W, 0.0);
     slopes.col(i) << (there.a - best.a) / step, (there.b - best.b) / step,
         (there.h - best.h) / step;
-  }
+  });
   const Eigen::MatrixXd covariance = fit.covariance.bottomRightCorner(shape::count, shape::count);
   const double blur[3] = {fit.state.blurInPlane, fit.state.blurInPlane, fit.state.blurAxial};
   double correlated = 1.0;

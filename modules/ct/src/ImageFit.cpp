@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "NormalDistribution.h"
+#include "perilymph/foundation/Four.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -20,7 +23,8 @@ constexpr double innerWall = -0.62;       // in section widths from the outer wa
 constexpr double vestibule_deg = 14.0;    // below this angle vestibule and round window change the
                                           // wall
 constexpr double blurSpread = 0.25;       // prior of log sigma
-constexpr double misfitScale = 0.3;       // residual that counts as unexplained [contrast]
+constexpr double blurPrecision = 1.0 / (blurSpread * blurSpread);
+constexpr double misfitScale = 0.3;  // residual that counts as unexplained [contrast]
 // Model errors extend over patches of wall, so that voxels are not independent.
 constexpr double dataWeight = 0.35;
 
@@ -49,19 +53,10 @@ public:
     }
     count_ = 0;
   }
-  void accumulate(double weight, double residual, Eigen::MatrixXd& matrix,
-                  Eigen::VectorXd& right) const
-  {
-    // Whole columns, two rows at a time: what is not in the row adds zero.
-    using Whole = Eigen::Matrix<double, fitted, 1>;
-    const Whole weighted = weight * Eigen::Map<const Whole>(values_.data());
-    right += residual * weighted;
-    for (int a = 0; a < count_; ++a) {
-      const int j = indices_[static_cast<std::size_t>(a)];
-      matrix.col(j).tail(fitted - j) +=
-          values_[static_cast<std::size_t>(j)] * weighted.tail(fitted - j);
-    }
-  }
+  int count() const { return count_; }
+  /// The parameter of an entry, and its value.
+  int index(int entry) const { return indices_[static_cast<std::size_t>(entry)]; }
+  double value(int entry) const { return values_[static_cast<std::size_t>(index(entry))]; }
 
 private:
   std::array<double, fitted> values_{};
@@ -74,8 +69,40 @@ constexpr int levels = 6 + shape::count;  // bone, lumen
 constexpr int blurs = levels + 2;         // log sigma in plane, axial
 
 /// Predicted intensity of one voxel.
-struct Prediction {
+struct VoxelPrediction {
   double intensity, weight, nearest;
+};
+
+static_assert(fitted <= 256);
+
+constexpr std::size_t rowsTogether = 256;  ///< Voxels of one piece of work.
+
+/// The normal equations in columns, of which only the lower triangle is right, from rows and weights. Each
+/// column is summed in the order of the voxels.
+class Columns {
+public:
+  static constexpr std::size_t stride = (fitted + 3) / 4 * 4;
+
+  std::array<double, stride * fitted> matrix{};
+  std::array<double, stride> right{};
+
+  /// Adds a row to the columns of one of several pieces.
+  void add(const std::uint8_t* index, const double* value, std::size_t count, double weight,
+           double residual, std::size_t piece, std::size_t pieces)
+  {
+    withLanes([&]() PERILYMPH_KERNEL {
+      alignas(32) double weighted[stride] = {};
+      for (std::size_t k = 0; k < count; ++k) weighted[index[k]] = weight * value[k];
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t j = index[k];
+        if (j % pieces != piece) continue;
+        right[j] += residual * weighted[j];
+        double* const column = matrix.data() + stride * j;
+        for (std::size_t i = j / 4 * 4; i < stride; i += 4)
+          store(load<Four>(column, i) + value[k] * load<Four>(weighted, i), column, i);
+      }
+    });
+  }
 };
 
 double regionWeight(const TurnDistance& turn)
@@ -86,13 +113,31 @@ double regionWeight(const TurnDistance& turn)
 
 }  // namespace
 
+/// The image model at the voxels of the band, in their order.
+struct ImageFit::Prediction {
+  struct Voxel {
+    double residual, regionWeight;
+    double weight = 0.0, cost = 0.0;  ///< For a scale.
+  };
+  /// Some voxels, and the entries of their rows one after another.
+  struct Piece {
+    std::vector<Voxel> voxels;
+    std::vector<std::uint8_t> index;
+    std::vector<double> value;
+    std::vector<std::size_t> end;  ///< Of each voxel's entries.
+  };
+  std::unique_ptr<const ShapedLumen> lumen;
+  std::vector<Piece> pieces;
+  std::vector<double> residuals;  ///< Residuals of the voxels with full weight.
+  double misfit = 1.0;
+  double cost = 0.0;  ///< For a scale.
+  std::size_t voxels = 0;
+};
+
 struct ImageFit::Normal {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(fitted, fitted);  ///< Lower triangle.
   Eigen::MatrixXd data;                                            ///< The matrix without priors.
   Eigen::VectorXd right = Eigen::VectorXd::Zero(fitted);
-  double cost = 0.0, misfit = 0.0;
-  std::vector<double> residuals;  ///< Residuals of the voxels with full weight.
-  std::size_t voxels = 0;
 };
 
 ImageFit::ImageFit(const LumenShape& family, const Eigen::Vector3d& sliceNormal_P,
@@ -108,13 +153,14 @@ ImageFit::ImageFit(const LumenShape& family, const Eigen::Vector3d& sliceNormal_
 namespace {
 
 /// Evaluates the image model at one point; fills the row if given.
-Prediction synthesize(const LumenShape& family, const ShapedLumen& lumen, const FitState& state,
-                      const FitSettings& settings, const Eigen::Vector3d& slice_W,
-                      const Eigen::Vector3d& point_P, SparseRow* row)
+VoxelPrediction synthesize(const LumenShape& family, const ShapedLumen& lumen,
+                           const FitState& state, const FitSettings& settings,
+                           const Eigen::Vector3d& slice_W, const Eigen::Vector3d& point_P,
+                           SparseRow* row)
 {
   const Eigen::Vector3d point_W = state.pose.into_W(point_P);
   const NearTurns near = lumen.distances(point_W, settings.band_mm + 0.5);
-  Prediction result{state.bone, 0.0, -10.0};
+  VoxelPrediction result{state.bone, 0.0, -10.0};
   if (near.nearest < 0) return result;
   const TurnDistance& nearest = near.turn[static_cast<std::size_t>(near.nearest)];
   result.nearest = nearest.inside;
@@ -166,62 +212,124 @@ double ImageFit::contentAt(const Eigen::Vector3d& point_W, const ShapedLumen& lu
   FitSettings settings;
   settings.band_mm = 3.0;  // of all of the lumen
   const Eigen::Vector3d slice_W = state.pose.axes_PW.transpose() * sliceNormal_P_;
-  const Prediction shown =
+  const VoxelPrediction shown =
       synthesize(family_, lumen, state, settings, slice_W, state.pose.outOf_W(point_W), nullptr);
   return (shown.intensity - state.bone) / (state.lumen - state.bone);
 }
 
-ImageFit::Normal ImageFit::assemble(const FitState& state, const Observations& observations,
-                                    const FitSettings& settings, double scale) const
+std::array<double, 2> ImageFit::logBlurOf(const FitState& state) const
 {
-  Normal normal;
-  const ShapedLumen lumen(family_, state.shape);
+  return {logarithm(state.blurInPlane / blurGuess_[0]), logarithm(state.blurAxial / blurGuess_[1])};
+}
+
+ImageFit::Prediction ImageFit::predict(const FitState& state, const Observations& observations,
+                                       const FitSettings& settings, Threads threads) const
+{
+  Prediction prediction;
+  prediction.lumen = std::make_unique<const ShapedLumen>(family_, state.shape);
   const Eigen::Vector3d slice_W = state.pose.axes_PW.transpose() * sliceNormal_P_;
+  const std::vector<Observation>& voxels = observations.voxels;
+  prediction.pieces.resize((voxels.size() + rowsTogether - 1) / rowsTogether);
+  eachPiece(prediction.pieces.size(), threads, [&](std::size_t place) {
+    Prediction::Piece& piece = prediction.pieces[place];
+    SparseRow row;
+    const std::size_t end = std::min(voxels.size(), (place + 1) * rowsTogether);
+    constexpr std::size_t ofOneTurn = 36;  // entries of a row; there are 43 beside a second turn
+    piece.voxels.reserve(rowsTogether);
+    piece.end.reserve(rowsTogether);
+    piece.index.reserve(rowsTogether * ofOneTurn);
+    piece.value.reserve(rowsTogether * ofOneTurn);
+    for (std::size_t i = place * rowsTogether; i < end; ++i) {
+      row.clear();
+      const VoxelPrediction predicted =
+          synthesize(family_, *prediction.lumen, state, settings, slice_W, voxels[i].point_P, &row);
+      if (predicted.weight <= 0.0) continue;
+      piece.voxels.push_back({voxels[i].intensity - predicted.intensity, predicted.weight});
+      for (int k = 0; k < row.count(); ++k) {
+        piece.index.push_back(static_cast<std::uint8_t>(row.index(k)));
+        piece.value.push_back(row.value(k));
+      }
+      piece.end.push_back(piece.value.size());
+    }
+  });
   const double contrast = std::fabs(state.lumen - state.bone);
-  SparseRow row;
-  double weightSum = 0.0;
-  for (const Observation& observation : observations.voxels) {
-    row.clear();
-    const Prediction predicted =
-        synthesize(family_, lumen, state, settings, slice_W, observation.point_P, &row);
-    if (predicted.weight <= 0.0) continue;
-    const double residual = observation.intensity - predicted.intensity;
-    const double relative = residual / scale;
-    const double student = (freedomOfStudent + 1.0) / (freedomOfStudent + relative * relative);
-    const double weight = dataWeight * predicted.weight * student / (scale * scale);
-    row.accumulate(weight, residual, normal.matrix, normal.right);
-    normal.cost += dataWeight * predicted.weight * (freedomOfStudent + 1.0) *
+  double weightSum = 0.0, misfit = 0.0;
+  for (const Prediction::Piece& piece : prediction.pieces)
+    for (const Prediction::Voxel& voxel : piece.voxels) {
+      const double unexplained = voxel.residual / (misfitScale * contrast);
+      misfit += voxel.regionWeight * std::min(1.0, unexplained * unexplained);
+      weightSum += voxel.regionWeight;
+      if (voxel.regionWeight >= 1.0) prediction.residuals.push_back(std::fabs(voxel.residual));
+      ++prediction.voxels;
+    }
+  prediction.misfit = weightSum > 0.0 ? misfit / weightSum : 1.0;
+  return prediction;
+}
+
+void ImageFit::weigh(const FitState& state, const Observations& observations, double scale,
+                     Prediction& prediction, Threads threads) const
+{
+  eachPiece(prediction.pieces.size(), threads, [&](std::size_t place) {
+    for (Prediction::Voxel& voxel : prediction.pieces[place].voxels) {
+      const double relative = voxel.residual / scale;
+      const double student = (freedomOfStudent + 1.0) / (freedomOfStudent + relative * relative);
+      voxel.weight = dataWeight * voxel.regionWeight * student / (scale * scale);
+      voxel.cost = dataWeight * voxel.regionWeight * (freedomOfStudent + 1.0) *
                    logarithm(1.0 + relative * relative / freedomOfStudent);
-    const double unexplained = residual / (misfitScale * contrast);
-    normal.misfit += predicted.weight * std::min(1.0, unexplained * unexplained);
-    weightSum += predicted.weight;
-    if (predicted.weight >= 1.0) normal.residuals.push_back(std::fabs(residual));
-    ++normal.voxels;
+    }
+  });
+  double& cost = prediction.cost = 0.0;
+  for (const Prediction::Piece& piece : prediction.pieces)
+    for (const Prediction::Voxel& voxel : piece.voxels) cost += voxel.cost;
+  for (const MarkConstraint& mark : observations.marks)
+    if (const auto residual = residualOf(mark, family_, *prediction.lumen, state.pose))
+      cost += mark.precision * residual->value_mm * residual->value_mm;
+  const Eigen::VectorXd off = state.shape - priorMean_;
+  cost += off.dot(prior_ * off);
+  for (const double logBlur : logBlurOf(state)) cost += blurPrecision * logBlur * logBlur;
+}
+
+ImageFit::Normal ImageFit::normalOf(const FitState& state, const Observations& observations,
+                                    const Prediction& prediction, Threads threads) const
+{
+  const auto columns = std::make_unique<Columns>();
+  const std::size_t pieces = threads == Threads::one ? 1 : processors();
+  eachPiece(pieces, threads, [&](std::size_t piece) {
+    for (const Prediction::Piece& each : prediction.pieces) {
+      std::size_t first = 0;
+      for (std::size_t i = 0; i < each.voxels.size(); ++i) {
+        const std::size_t end = each.end[i];
+        columns->add(each.index.data() + first, each.value.data() + first, end - first,
+                     each.voxels[i].weight, each.voxels[i].residual, piece, pieces);
+        first = end;
+      }
+    }
+  });
+  Normal normal;
+  for (int j = 0; j < fitted; ++j) {
+    const auto column = static_cast<std::size_t>(j) * Columns::stride;
+    for (int i = j; i < fitted; ++i)
+      normal.matrix(i, j) = columns->matrix[column + static_cast<std::size_t>(i)];
+    normal.right[j] = columns->right[static_cast<std::size_t>(j)];
   }
-  normal.misfit = weightSum > 0.0 ? normal.misfit / weightSum : 1.0;
 
   normal.data = normal.matrix;
   for (const MarkConstraint& mark : observations.marks) {
-    const auto residual = residualOf(mark, family_, lumen, state.pose);
+    const auto residual = residualOf(mark, family_, *prediction.lumen, state.pose);
     if (!residual) continue;
     constexpr int n = 6 + shape::count;
     normal.matrix.topLeftCorner<n, n>() +=
         mark.precision * residual->row * residual->row.transpose();
     normal.right.head<n>() -= mark.precision * residual->value_mm * residual->row;
-    normal.cost += mark.precision * residual->value_mm * residual->value_mm;
   }
   // Contribution of the prior.
   const Eigen::VectorXd off = state.shape - priorMean_;
   normal.matrix.block<shape::count, shape::count>(6, 6) += prior_;
   normal.right.segment<shape::count>(6) -= prior_ * off;
-  normal.cost += off.dot(prior_ * off);
-  const double logBlur[2] = {logarithm(state.blurInPlane / blurGuess_[0]),
-                             logarithm(state.blurAxial / blurGuess_[1])};
+  const std::array<double, 2> logBlur = logBlurOf(state);
   for (int i = 0; i < 2; ++i) {
-    constexpr double precision = 1.0 / (blurSpread * blurSpread);
-    normal.matrix(blurs + i, blurs + i) += precision;
-    normal.right[blurs + i] -= precision * logBlur[i];
-    normal.cost += precision * logBlur[i] * logBlur[i];
+    normal.matrix(blurs + i, blurs + i) += blurPrecision;
+    normal.right[blurs + i] -= blurPrecision * logBlur[static_cast<std::size_t>(i)];
   }
   return normal;
 }
@@ -264,7 +372,7 @@ double medianOf(std::vector<double> values)
 }  // namespace
 
 FitResult ImageFit::run(const FitState& start, const Observations& observations,
-                        const FitSettings& settings) const
+                        const FitSettings& settings, Threads threads) const
 {
   const std::array<bool, fitted> can = movable(settings.freedom);
   FitResult result;
@@ -273,14 +381,20 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
                                           // median
   const double contrast = std::fabs(start.lumen - start.bone);
   double scale = 0.15 * contrast;
-  Normal normal = assemble(result.state, observations, settings, scale);
+  Prediction shown = predict(result.state, observations, settings, threads);
+  Normal normal;
+  const auto weighAgain = [&] {
+    weigh(result.state, observations, scale, shown, threads);
+    normal = normalOf(result.state, observations, shown, threads);
+  };
+  if (settings.maxIterations == 0) weighAgain();
   double damping = 1e-3;
   for (; result.iterations < settings.maxIterations; ++result.iterations) {
     // The scale follows the residuals for some iterations and is then fixed, so that the cost has a
     // minimum.
     if (result.iterations % 3 == 0 && result.iterations < 10) {
-      scale = std::clamp(toDeviation * medianOf(normal.residuals), 0.03 * contrast, 0.3 * contrast);
-      normal = assemble(result.state, observations, settings, scale);
+      scale = std::clamp(toDeviation * medianOf(shown.residuals), 0.03 * contrast, 0.3 * contrast);
+      weighAgain();
     }
     Eigen::MatrixXd matrix = normal.matrix.selfadjointView<Eigen::Lower>();
     Eigen::VectorXd right = normal.right;
@@ -300,14 +414,16 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
     const double turn = step.head<3>().norm(), shift = step.segment<3>(3).norm();
     step *= std::min(1.0, std::min(0.2 / std::max(turn, 1e-9), 0.6 / std::max(shift, 1e-9)));
     const FitState next = stepped(result.state, step);
-    Normal nextNormal = assemble(next, observations, settings, scale);
+    Prediction nextShown = predict(next, observations, settings, threads);
+    weigh(next, observations, scale, nextShown, threads);
     // Voxels leaving the band change the total cost: compare means.
-    const double before = normal.cost / std::max<double>(1.0, static_cast<double>(normal.voxels));
+    const double before = shown.cost / std::max<double>(1.0, static_cast<double>(shown.voxels));
     const double after =
-        nextNormal.cost / std::max<double>(1.0, static_cast<double>(nextNormal.voxels));
-    if (after < before && nextNormal.voxels * 2 > normal.voxels) {
+        nextShown.cost / std::max<double>(1.0, static_cast<double>(nextShown.voxels));
+    if (after < before && nextShown.voxels * 2 > shown.voxels) {
       result.state = next;
-      normal = std::move(nextNormal);
+      shown = std::move(nextShown);
+      normal = normalOf(result.state, observations, shown, threads);
       damping = std::max(1e-6, 0.3 * damping);
       if (before - after < 1e-6 * before && result.iterations > 10) break;
     } else {
@@ -315,11 +431,11 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
       if (damping > 1e4) break;
     }
   }
-  result.cost = normal.cost;
-  result.misfit = normal.misfit;
-  result.voxels = normal.voxels;
+  result.cost = shown.cost;
+  result.misfit = shown.misfit;
+  result.voxels = shown.voxels;
   result.sampled = observations.sampled;
-  result.residual = toDeviation * medianOf(normal.residuals);
+  result.residual = toDeviation * medianOf(shown.residuals);
   // The covariance due to noise: parameters change by H^-1 J^T W n; with W J^T J = D of one scale,
   Eigen::MatrixXd matrix = normal.matrix.selfadjointView<Eigen::Lower>();
   matrix.diagonal().array() += 1e-9;
@@ -331,9 +447,8 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
   result.posterior = solver.solve(Eigen::MatrixXd::Identity(fitted, fitted)).topLeftCorner(n, n);
   // Parameters change by H^-1 J^T P times the displacement of a mark.
   result.markCovariance = Eigen::MatrixXd::Zero(n, n);
-  const ShapedLumen lumen(family_, result.state.shape);
   for (const MarkConstraint& mark : observations.marks) {
-    const auto residual = residualOf(mark, family_, lumen, result.state.pose);
+    const auto residual = residualOf(mark, family_, *shown.lumen, result.state.pose);
     if (!residual) continue;
     const Eigen::VectorXd change = mark.precision * mark.sd_mm * (result.posterior * residual->row);
     result.markCovariance += change * change.transpose();
@@ -342,7 +457,7 @@ FitResult ImageFit::run(const FitState& start, const Observations& observations,
 }
 
 Observations observe(const CtVolume& volume, const LumenShape& family, const FitState& state,
-                     double reach_mm, std::size_t maxCount)
+                     double reach_mm, std::size_t maxCount, Threads threads)
 {
   const ShapedLumen lumen(family, state.shape);
   std::array<int, 3> low{}, high{};
@@ -354,8 +469,9 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
     low[axis] = std::clamp(static_cast<int>(center[a] - radius), 0, volume.size()[axis] - 1);
     high[axis] = std::clamp(static_cast<int>(center[a] + radius), 0, volume.size()[axis] - 1);
   }
-  std::vector<Observation> all;
-  for (int k = low[2]; k <= high[2]; ++k)
+  std::vector<std::vector<Observation>> inSlice(static_cast<std::size_t>(high[2] - low[2] + 1));
+  eachPiece(inSlice.size(), threads, [&](std::size_t slice) {
+    const int k = low[2] + static_cast<int>(slice);
     for (int j = low[1]; j <= high[1]; ++j)
       for (int i = low[0]; i <= high[0]; ++i) {
         if (volume.voxel(i, j, k) == unmeasured) continue;
@@ -366,8 +482,12 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
         if (near.nearest < 0 ||
             std::fabs(near.turn[static_cast<std::size_t>(near.nearest)].inside) > reach_mm)
           continue;
-        all.push_back({point_P, static_cast<double>(volume.voxel(i, j, k))});
+        inSlice[slice].push_back({point_P, static_cast<double>(volume.voxel(i, j, k))});
       }
+  });
+  std::vector<Observation> all;
+  for (const std::vector<Observation>& each : inSlice)
+    all.insert(all.end(), each.begin(), each.end());
   if (all.size() <= maxCount) return {std::move(all), {}, 1.0};
   std::vector<Observation> some;
   const double keep = static_cast<double>(maxCount) / static_cast<double>(all.size());

@@ -11,11 +11,13 @@
 // the slice normal.
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <vector>
 
 #include "LumenShape.h"
 #include "MarkConstraint.h"
+#include "Pieces.h"
 #include "Pose.h"
 #include "perilymph/ct/CtVolume.h"
 
@@ -84,16 +86,26 @@ public:
 
   /// Levenberg-Marquardt with Student-t weights from an initial state.
   FitResult run(const FitState& start, const Observations& observations,
-                const FitSettings& settings) const;
+                const FitSettings& settings, Threads threads) const;
 
   /// What the model shows at a point in W: 1 at the lumen's level, 0 at the bone's.
   double contentAt(const Eigen::Vector3d& point_W, const ShapedLumen& lumen,
                    const FitState& state) const;
 
 private:
+  struct Prediction;
   struct Normal;
-  Normal assemble(const FitState& state, const Observations& observations,
-                  const FitSettings& settings, double scale) const;
+  /// The image model and its derivatives at all voxels.
+  Prediction predict(const FitState& state, const Observations& observations,
+                     const FitSettings& settings, Threads threads) const;
+  /// Weights of the voxels for a scale of the residuals, and the cost.
+  void weigh(const FitState& state, const Observations& observations, double scale,
+             Prediction& prediction, Threads threads) const;
+  Normal normalOf(const FitState& state, const Observations& observations,
+                  const Prediction& prediction, Threads threads) const;
+
+  /// Logarithms of the blur's ratios to its guess, in plane and axial.
+  std::array<double, 2> logBlurOf(const FitState& state) const;
 
   const LumenShape& family_;
   Eigen::Vector3d sliceNormal_P_;
@@ -105,6 +117,6 @@ private:
 /// The voxels within `reach_mm` of a state's wall, at most about `maxCount`: if there are more, a
 /// quasi-random subset.
 Observations observe(const CtVolume& volume, const LumenShape& family, const FitState& state,
-                     double reach_mm, std::size_t maxCount);
+                     double reach_mm, std::size_t maxCount, Threads threads);
 
 }  // namespace perilymph::ct

@@ -68,15 +68,9 @@ LumenShape::LumenShape(const MeanLumen& mean) : mean_(mean)
   }
 }
 
-std::array<double, 4> LumenShape::populationModes(double angle) const
+std::array<double, 4> LumenShape::populationModes(const LinePlace& place) const
 {
-  const double x = std::max(0.0, (angle - MeanLumen::firstAngle()) / tableStep);
-  const auto i = std::min(static_cast<std::size_t>(x), modes_[0].size() - 2);
-  const double t = std::min(1.0, x - static_cast<double>(i));
-  std::array<double, 4> result{};
-  for (std::size_t k = 0; k < 4; ++k)
-    result[k] = modes_[k][i] + t * (modes_[k][i + 1] - modes_[k][i]);
-  return result;
+  return {place.in(modes_[0]), place.in(modes_[1]), place.in(modes_[2]), place.in(modes_[3])};
 }
 
 SectionPlace LumenShape::place(const ShapeVector& q, double angle) const
@@ -126,13 +120,10 @@ ShapedLumen::ShapedLumen(const LumenShape& family, const ShapeVector& q) : mean_
     places_.push_back(family.place(q, MeanLumen::firstAngle() + i * tableStep));
 }
 
-SectionPlace ShapedLumen::place(double angle) const
+SectionPlace ShapedLumen::place(const LinePlace& at) const
 {
-  const double x = std::max(0.0, (angle - MeanLumen::firstAngle()) / tableStep);
-  const auto i = std::min(static_cast<std::size_t>(x), places_.size() - 2);
-  const double t = std::min(1.0, x - static_cast<double>(i));
-  const SectionPlace &a = places_[i], &b = places_[i + 1];
-  const auto mix = [t](double from, double to) { return from + t * (to - from); };
+  const SectionPlace &a = places_[at.first], &b = places_[at.first + 1];
+  const auto mix = [t = at.fraction](double from, double to) { return from + t * (to - from); };
   return {mix(a.outer, b.outer),   mix(a.outerSlope, b.outerSlope),
           mix(a.middle, b.middle), mix(a.middleSlope, b.middleSlope),
           mix(a.width, b.width),   mix(a.height, b.height),
@@ -149,10 +140,10 @@ NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) c
   while (angle < MeanLumen::firstAngle()) angle += 2.0 * pi;
   for (; angle < mean_.lastAngle() && near.count < 4; angle += 2.0 * pi) {
     // Turns out of reach are excluded by the mean shape alone, with a margin for individuals.
-    if (std::fabs(r - mean_.outerRadius(angle) + 0.5 * mean_.width(angle)) >
-        0.5 * mean_.width(angle) + reach + 1.6)
-      continue;
-    const SectionPlace at = place(angle);
+    const LinePlace line = mean_.placeOf(angle);
+    const double width = mean_.width(line);
+    if (std::fabs(r - mean_.outerRadius(line) + 0.5 * width) > 0.5 * width + reach + 1.6) continue;
+    const SectionPlace at = place(line);
     const double fromOuter = r - at.outer;
     const double u = fromOuter / at.width;
     const double v = (point_W.z() - at.middle - at.tilt * fromOuter) / at.height;
@@ -166,9 +157,8 @@ NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) c
     if (turn.inside < -reach) continue;
     turn.angle = angle;
     turn.u = u;
-    turn.width = mean_.width(angle);
-    turn.curvature =
-        2.0 / (0.5 * at.width * turn.width + at.height * mean_.halfHeight(angle) + 0.1);
+    turn.width = width;
+    turn.curvature = 2.0 / (0.5 * at.width * turn.width + at.height * mean_.halfHeight(line) + 0.1);
     turn.gradient = Eigen::Vector3d(gr * cosine - gt * sine, gr * sine + gt * cosine, gz) / norm;
     turn.byOuter = -gr / norm;
     turn.byMiddle = -gz / norm;

@@ -79,7 +79,11 @@ public:
   void addDerivatives(const TurnDistance& turn, double factor, Row&& row) const;
 
   /// Effect of A1, B1, A2, B2 on the maximum radius at an angle, relative to the mean's [1/mm].
-  std::array<double, 4> populationModes(double angle) const;
+  std::array<double, 4> populationModes(double angle) const
+  {
+    return populationModes(mean_.placeOf(angle));
+  }
+  std::array<double, 4> populationModes(const LinePlace& place) const;
 
   /// Precision matrix of the prior: population covariance, amplitudes and smoothness.
   Eigen::MatrixXd priorPrecision() const;
@@ -88,7 +92,7 @@ public:
 
 private:
   const MeanLumen& mean_;
-  std::array<std::vector<double>, 4> modes_;  ///< Every 2 degrees from the first angle.
+  std::array<std::vector<double>, 4> modes_;  ///< As the lines of the mean lumen.
 };
 
 /// Whether a spiral rises from the base to the middle turn. One that falls winds as in the other ear.
@@ -99,25 +103,27 @@ class ShapedLumen {
 public:
   ShapedLumen(const LumenShape& family, const ShapeVector& q);
 
-  SectionPlace place(double angle) const;
+  SectionPlace place(double angle) const { return place(mean_.placeOf(angle)); }
+  SectionPlace place(const LinePlace& at) const;
   /// The turns within `reach` of a point in W [mm].
   NearTurns distances(const Eigen::Vector3d& point_W, double reach) const;
   const MeanLumen& mean() const { return mean_; }
 
 private:
   const MeanLumen& mean_;
-  std::vector<SectionPlace> places_;  ///< Every 2 degrees from the first angle.
+  std::vector<SectionPlace> places_;  ///< As the lines of the mean lumen.
 };
 
 template <class Row>
 void LumenShape::addDerivatives(const TurnDistance& turn, double factor, Row&& row) const
 {
   const double perTurn = turn.angle / 6.283185307179586 - 0.5;
-  const double meanOuter = mean_.outerRadius(turn.angle);
-  const std::array<double, 4> modes = populationModes(turn.angle);
+  const LinePlace place = mean_.placeOf(turn.angle);
+  const double meanOuter = mean_.outerRadius(place);
+  const std::array<double, 4> modes = populationModes(place);
   for (int i = 0; i < 4; ++i)
     row[shape::half + i] += factor * turn.byOuter * meanOuter * modes[static_cast<std::size_t>(i)];
-  row[shape::rise] += factor * turn.byMiddle * mean_.height(turn.angle);
+  row[shape::rise] += factor * turn.byMiddle * mean_.height(place);
   row[shape::width] += factor * turn.byWidth;
   row[shape::width + 1] += factor * turn.byWidth * perTurn;
   row[shape::tilt] += factor * turn.byTilt;

@@ -15,19 +15,45 @@ constexpr double cupola_mm = 0.5;
 // The center of the modiolus in the basal turn is on W's axis.
 constexpr double basalMiddle_mm = 0.4;
 
-/// Distance to the wall of one turn on a ray from the center of its section, by bisection.
+/// Distance to the wall of one turn on a ray from the center of its section, as a multiple of `unit` that is
+/// the last inside. Newton's steps find it, because sections are convex; else bisection.
 double distanceToWall(const MeanLumen& mean, const SectionPlace& place, double angle,
                       const SineCosine& direction)
 {
+  constexpr int halvings = 24;
+  constexpr double last = 3.0;
+  constexpr double unit = last / (1 << halvings);
   const double middleU = -0.5 * mean.width(angle);
-  double low = 0.0, high = 3.0;
-  for (int i = 0; i < 24; ++i) {
-    const double half = 0.5 * (low + high);
-    const double u = middleU + half * direction.cosine / place.width;
+  const auto at = [&](double along) {
+    const double u = middleU + along * direction.cosine / place.width;
     const double fromOuter = u * place.width;
     const double v =
-        (half * direction.sine - place.tilt * (fromOuter - middleU * place.width)) / place.height;
-    (mean.distance(angle, u, v).inside > 0.0 ? low : high) = half;
+        (along * direction.sine - place.tilt * (fromOuter - middleU * place.width)) / place.height;
+    return mean.distance(angle, u, v);
+  };
+  const auto isInside = [&](double along) { return at(along).inside > 0.0; };
+
+  const double byU = direction.cosine / place.width;
+  const double byV = (direction.sine - place.tilt * direction.cosine) / place.height;
+  double found = 1.2;  // outside, from where the steps do not overshoot
+  for (int i = 0; i < 8; ++i) {
+    const SectionDistance here = at(found);
+    const double slope = here.du * byU + here.dv * byV;
+    if (!(slope < 0.0)) break;  // where the wall ahead is not the nearest
+    const double next = std::clamp(found - here.inside / slope, 0.0, last);
+    const bool isThere = std::fabs(next - found) < 0.25 * unit;
+    found = next;
+    if (isThere) break;
+  }
+  const double units = std::floor(found / unit);
+  for (const double off : {0.0, -1.0, 1.0}) {
+    const double low = (units + off) * unit;
+    if (low > 0.0 && low + unit < last && isInside(low) && !isInside(low + unit)) return low;
+  }
+  double low = 0.0, high = last;
+  for (int i = 0; i < halvings; ++i) {
+    const double half = 0.5 * (low + high);
+    (isInside(half) ? low : high) = half;
   }
   return low;
 }

@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 
+#include "Pieces.h"
 #include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
@@ -178,30 +179,40 @@ Result<MeanLumen> MeanLumen::make()
   const Outlines outlines(*sections);
   MeanLumen mean;
   mean.lastAngle_ = degrees(apex_deg).si();
-  for (int i = 0; firstAngle() + (i - 1) * lineStep <= mean.lastAngle_; ++i) {
-    const Box box = boxOf(joined(outlines.at(firstAngle() + i * lineStep)));
-    mean.outer_.push_back(box.right);
-    mean.height_.push_back(0.5 * (box.low + box.high));
-    mean.width_.push_back(box.right - box.left);
-    mean.halfHeight_.push_back(0.5 * (box.high - box.low));
-  }
-  for (int i = 0; firstAngle() + (i - 1) * fieldStep <= mean.lastAngle_; ++i, ++mean.angles_) {
-    const Polygon polygon = joined(outlines.at(firstAngle() + i * fieldStep));
+  std::vector<double> lines, fields;
+  for (int i = 0; firstAngle() + (i - 1) * lineStep <= mean.lastAngle_; ++i)
+    lines.push_back(firstAngle() + i * lineStep);
+  for (int i = 0; firstAngle() + (i - 1) * fieldStep <= mean.lastAngle_; ++i)
+    fields.push_back(firstAngle() + i * fieldStep);
+  for (std::vector<double>* each : {&mean.outer_, &mean.height_, &mean.width_, &mean.halfHeight_})
+    each->resize(lines.size());
+  eachPiece(lines.size(), Threads::all, [&](std::size_t i) {
+    const Box box = boxOf(joined(outlines.at(lines[i])));
+    mean.outer_[i] = box.right;
+    mean.height_[i] = 0.5 * (box.low + box.high);
+    mean.width_[i] = box.right - box.left;
+    mean.halfHeight_[i] = 0.5 * (box.high - box.low);
+  });
+  constexpr std::size_t page = std::size_t{uCount} * vCount;
+  mean.angles_ = static_cast<int>(fields.size());
+  mean.field_.resize(fields.size() * page);
+  eachPiece(fields.size(), Threads::all, [&](std::size_t i) {
+    const Polygon polygon = joined(outlines.at(fields[i]));
     const Box box = boxOf(polygon);
+    float* to = mean.field_.data() + i * page;
     for (int v = 0; v < vCount; ++v)
       for (int u = 0; u < uCount; ++u)
-        mean.field_.push_back(static_cast<float>(distanceTo(
-            polygon, {box.right + uLow + u * cell, 0.5 * (box.low + box.high) + vLow + v * cell})));
-  }
+        *to++ = static_cast<float>(distanceTo(
+            polygon, {box.right + uLow + u * cell, 0.5 * (box.low + box.high) + vLow + v * cell}));
+  });
   return mean;
 }
 
-double MeanLumen::at(const std::vector<double>& table, double angle) const
+LinePlace MeanLumen::placeOf(double angle) const
 {
   const double x = std::max(0.0, (angle - firstAngle()) / lineStep);
-  const auto i = std::min(static_cast<std::size_t>(x), table.size() - 2);
-  const double t = std::min(1.0, x - static_cast<double>(i));
-  return table[i] + t * (table[i + 1] - table[i]);
+  const auto first = std::min(static_cast<std::size_t>(x), outer_.size() - 2);
+  return {first, std::min(1.0, x - static_cast<double>(first))};
 }
 
 double MeanLumen::slope(const std::vector<double>& table, double angle) const

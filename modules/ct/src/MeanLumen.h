@@ -4,11 +4,24 @@
 // The bony lumen of the mean cochlea in CT: scala tympani, media and vestibuli as one, at every
 // angle of the half-plane through the modiolar axis. Lengths in mm, angles in rad.
 
+#include <cstddef>
 #include <vector>
 
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::ct {
+
+/// A place in the tables of lines along the duct: the entry before an angle, and the fraction of the
+/// step to the next.
+struct LinePlace {
+  std::size_t first;
+  double fraction;
+
+  double in(const std::vector<double>& table) const
+  {
+    return table[first] + fraction * (table[first + 1] - table[first]);
+  }
+};
 
 /// Signed distance to a section's outline in its half-plane, and its gradient.
 struct SectionDistance {
@@ -29,6 +42,13 @@ public:
   static constexpr double firstAngle() { return -0.35; }  ///< Start of the tables [rad].
   double lastAngle() const { return lastAngle_; }         ///< Angle of the apex [rad].
 
+  /// For several lines at one angle, and for other tables of as many entries.
+  LinePlace placeOf(double angle) const;
+  double outerRadius(const LinePlace& place) const { return place.in(outer_); }      ///< [mm]
+  double height(const LinePlace& place) const { return place.in(height_); }          ///< [mm]
+  double width(const LinePlace& place) const { return place.in(width_); }            ///< [mm]
+  double halfHeight(const LinePlace& place) const { return place.in(halfHeight_); }  ///< [mm]
+
   double outerRadius(double angle) const { return at(outer_, angle); }          ///< [mm]
   double outerRadiusSlope(double angle) const { return slope(outer_, angle); }  ///< [mm/rad]
   double height(double angle) const { return at(height_, angle); }  ///< Height of the center [mm].
@@ -41,7 +61,10 @@ public:
 
 private:
   MeanLumen() = default;
-  double at(const std::vector<double>& table, double angle) const;
+  double at(const std::vector<double>& table, double angle) const
+  {
+    return placeOf(angle).in(table);
+  }
   double slope(const std::vector<double>& table, double angle) const;
 
   double lastAngle_ = 0.0;

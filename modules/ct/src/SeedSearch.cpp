@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "Padding.h"
+#include "Pieces.h"
 
 namespace perilymph::ct {
 namespace {
@@ -54,11 +55,13 @@ std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume,
     double score;
     Eigen::Vector3d place_P;
   };
-  std::vector<Scored> scored;
-  for (double k = 0.5 * step.z(); k < volume.size()[2]; k += step.z())
+  std::vector<double> levels;
+  for (double k = 0.5 * step.z(); k < volume.size()[2]; k += step.z()) levels.push_back(k);
+  std::vector<std::vector<Scored>> inLevel(levels.size());
+  const auto score = [&](std::size_t level) {
     for (double j = 0.5 * step.y(); j < volume.size()[1]; j += step.y())
       for (double i = 0.5 * step.x(); i < volume.size()[0]; i += step.x()) {
-        const Eigen::Vector3d place_P = volume.toLps({i, j, k});
+        const Eigen::Vector3d place_P = volume.toLps({i, j, levels[level]});
         if (elsewhere_P && (place_P - *elsewhere_P).norm() < anotherEar_mm) continue;
         int known = 0, bone = 0, hole = 0;
         for (const Eigen::Vector3d& offset : sphere)
@@ -71,8 +74,13 @@ std::vector<Eigen::Vector3d> findSeeds(const CtVolume& volume,
         const double boneFraction = static_cast<double>(bone) / known;
         const double holeFraction = static_cast<double>(hole) / known;
         // A third of the sphere around a cochlea's center is lumen and canal.
-        scored.push_back({boneFraction - 2.0 * std::fabs(holeFraction - 0.33), place_P});
+        inLevel[level].push_back({boneFraction - 2.0 * std::fabs(holeFraction - 0.33), place_P});
       }
+  };
+  eachPiece(levels.size(), Threads::all, score);
+  std::vector<Scored> scored;
+  for (const std::vector<Scored>& each : inLevel)
+    scored.insert(scored.end(), each.begin(), each.end());
   std::stable_sort(scored.begin(), scored.end(),
                    [](const Scored& a, const Scored& b) { return a.score > b.score; });
   std::vector<Eigen::Vector3d> seeds;

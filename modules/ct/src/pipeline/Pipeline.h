@@ -44,8 +44,8 @@ private:
   /// Poses near the click, or near hollows of the whole volume, best first.
   Result<std::vector<Start>> starts(const std::optional<Eigen::Vector3d>& elsewhere_P) const;
   /// Poses near one point, for every possible level of the lumen.
-  void searchAt(const Eigen::Vector3d& place_P, double reach_mm, std::size_t count,
-                std::vector<Start>& found) const;
+  std::vector<Start> searchAt(const Eigen::Vector3d& place_P, double reach_mm, std::size_t count,
+                              Threads threads) const;
   /// Starts where round window, modiolus and apex were placed, at the levels of the best starts.
   void addMarkedStarts(std::vector<Start>& found) const;
   /// The starts that the request gives.

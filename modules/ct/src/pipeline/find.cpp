@@ -3,8 +3,10 @@
 // First stage of the measurement: where a cochlea lies, and how it is turned.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "Pieces.h"
 #include "Region.h"
 #include "SeedSearch.h"
 #include "pipeline/Pipeline.h"
@@ -48,15 +50,19 @@ Result<std::vector<Pipeline::Start>> Pipeline::starts(
       return Error{
           "The point given lies outside the volume. Click into the cochlea, or give none and let "
           "the volume be searched."};
-    searchAt(*request_.click_P, clickReach_mm, startsPerLevel, found);
+    found = searchAt(*request_.click_P, clickReach_mm, startsPerLevel, Threads::all);
     addMarkedStarts(found);
   } else {
     const auto places = findSeeds(volume_, elsewhere_P, seeds);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      if (isStopped()) return canceled();
-      searchAt(places[i], seedReach_mm, 2, found);
-      report(0.3 * static_cast<double>(i + 1) / static_cast<double>(places.size()));
-    }
+    std::vector<std::vector<Start>> near(places.size());
+    eachPiece(
+        places.size(), Threads::all,
+        [&](std::size_t i) { near[i] = searchAt(places[i], seedReach_mm, 2, Threads::one); },
+        [&](std::size_t done) {
+          report(0.3 * static_cast<double>(done) / static_cast<double>(places.size()));
+        },
+        request_.stop);
+    for (const std::vector<Start>& each : near) found.insert(found.end(), each.begin(), each.end());
   }
   if (isStopped()) return canceled();
   std::stable_sort(found.begin(), found.end(), [](const Start& a, const Start& b) {
@@ -71,15 +77,17 @@ Result<std::vector<Pipeline::Start>> Pipeline::starts(
   return found;
 }
 
-void Pipeline::searchAt(const Eigen::Vector3d& place_P, double reach_mm, std::size_t count,
-                        std::vector<Start>& found) const
+std::vector<Pipeline::Start> Pipeline::searchAt(const Eigen::Vector3d& place_P, double reach_mm,
+                                                std::size_t count, Threads threads) const
 {
   const Region region(volume_, place_P, regionRadius_mm);
   const Levels levels = findLevels(region, place_P, levelRadius_mm);
+  std::vector<Start> found;
   for (const double lumen : levels.candidates)
-    for (const Candidate& candidate :
-         searchPoses(region, levels.bone, lumen, points_, place_P, reach_mm, count, request_.stop))
+    for (const Candidate& candidate : searchPoses(region, levels.bone, lumen, points_, place_P,
+                                                  reach_mm, count, threads, request_.stop))
       found.push_back({candidate, levels.bone, lumen});
+  return found;
 }
 
 void Pipeline::addMarkedStarts(std::vector<Start>& found) const
@@ -110,9 +118,8 @@ void Pipeline::addGivenStarts(std::vector<Start>& found) const
 
 Result<Pipeline::Choice> Pipeline::chooseStart(const std::vector<Start>& from) const
 {
-  std::vector<Scored> results;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    if (isStopped()) return canceled();
+  std::vector<std::optional<Scored>> fits(from.size());
+  const auto fit = [&](std::size_t i) {
     FitState state;
     state.pose = from[i].candidate.pose;
     state.bone = from[i].bone;
@@ -120,11 +127,20 @@ Result<Pipeline::Choice> Pipeline::chooseStart(const std::vector<Start>& from) c
     const Eigen::Vector2d blur = blurGuess(volume_);
     state.blurInPlane = blur[0];
     state.blurAxial = blur[1];
-    const auto voxels = observe(volume_, family_, state, 1.3, fewVoxels);
-    if (voxels.voxels.size() < 200) continue;
-    results.push_back(scored(fit_.run(state, voxels, {Freedom::poseAndSize, 12, 0.5, 1.0})));
-    report(0.3 + 0.2 * static_cast<double>(i + 1) / static_cast<double>(from.size()));
-  }
+    const auto voxels = observe(volume_, family_, state, 1.3, fewVoxels, Threads::one);
+    if (voxels.voxels.size() < 200) return;
+    fits[i] = scored(fit_.run(state, voxels, {Freedom::poseAndSize, 12, 0.5, 1.0}, Threads::one));
+  };
+  eachPiece(
+      from.size(), Threads::all, fit,
+      [&](std::size_t done) {
+        report(0.3 + 0.2 * static_cast<double>(done) / static_cast<double>(from.size()));
+      },
+      request_.stop);
+  if (isStopped()) return canceled();
+  std::vector<Scored> results;
+  for (std::optional<Scored>& each : fits)
+    if (each) results.push_back(*std::move(each));
   std::stable_sort(results.begin(), results.end(),
                    [](const Scored& a, const Scored& b) { return a.score < b.score; });
   if (results.empty())
@@ -132,19 +148,37 @@ Result<Pipeline::Choice> Pipeline::chooseStart(const std::vector<Start>& from) c
         "Too few voxels lie near the place given to measure a cochlea. Click into the cochlea, "
         "and "
         "take a series that shows all of it."};
-  // The shape of the best few is fitted before one is selected.
+  // The shape of the best few is fitted before one is selected, and of the best of the other
+  // handedness that can be fitted.
   constexpr std::size_t finalists = 3;
   const bool isRight = results.front().fit.state.pose.isRight();
-  Scored kept, keptMirrored;
-  for (std::size_t i = 0; i < results.size(); ++i) {
+  const auto isOther = [&](std::size_t i) {
+    return results[i].fit.state.pose.isRight() != isRight;
+  };
+  const auto withShape = [&](std::size_t i, Threads threads) {
     const FitState& state = results[i].fit.state;
-    const bool isOther = state.pose.isRight() != isRight;
-    if (i >= finalists && !(isOther && keptMirrored.fit.misfit == 1.0)) continue;
-    const auto voxels = observe(volume_, family_, state, 1.3, fewVoxels);
-    Scored next = scored(fit_.run(state, voxels, {Freedom::shape, 8, 0.35, 1.0}));
-    Scored& former = isOther ? keptMirrored : kept;
-    if (next.score < former.score) former = std::move(next);
+    const auto voxels = observe(volume_, family_, state, 1.3, fewVoxels, threads);
+    return scored(fit_.run(state, voxels, {Freedom::shape, 8, 0.35, 1.0}, threads));
+  };
+  std::vector<std::size_t> chosen;
+  bool hasOther = false;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (i >= finalists && (hasOther || !isOther(i))) continue;
+    chosen.push_back(i);
+    hasOther = hasOther || isOther(i);
   }
+  std::vector<Scored> shaped(chosen.size());
+  eachPiece(chosen.size(), Threads::all,
+            [&](std::size_t k) { shaped[k] = withShape(chosen[k], Threads::one); });
+  Scored kept, keptMirrored;
+  const auto consider = [&](std::size_t i, Scored next) {
+    Scored& former = isOther(i) ? keptMirrored : kept;
+    if (next.score < former.score) former = std::move(next);
+  };
+  for (std::size_t k = 0; k < chosen.size(); ++k) consider(chosen[k], std::move(shaped[k]));
+  for (std::size_t i = finalists; i < results.size() && keptMirrored.fit.misfit == 1.0; ++i)
+    if (isOther(i) && std::find(chosen.begin(), chosen.end(), i) == chosen.end())
+      consider(i, withShape(i, Threads::all));
   if (keptMirrored.score < kept.score) std::swap(kept, keptMirrored);
   return Choice{std::move(kept.fit), std::move(keptMirrored.fit)};
 }

@@ -21,12 +21,12 @@ Result<FitResult> Pipeline::refined(FitResult best) const
 {
   for (int round = 0; round < 4; ++round) {
     if (isStopped()) return canceled();
-    const auto voxels =
-        observe(volume_, family_, best.state, 1.3, round < 2 ? someVoxels : manyVoxels);
+    const auto voxels = observe(volume_, family_, best.state, 1.3,
+                                round < 2 ? someVoxels : manyVoxels, Threads::all);
     const FitSettings settings = round == 0   ? FitSettings{Freedom::shape, 12, 0.4, 1.0}
                                  : round == 1 ? FitSettings{Freedom::everything, 12, 0.25, 1.0}
                                               : FitSettings{Freedom::everything, 16, 0.0, 1.0};
-    best = fit_.run(best.state, voxels, settings);
+    best = fit_.run(best.state, voxels, settings, Threads::all);
     report(0.5 + 0.1 * round);
   }
   return best;
@@ -52,9 +52,9 @@ FitResult Pipeline::steered(const FitResult& free, GrossError grossError) const
       for (const MarkConstraint& mark : marks) precisions.push_back(mark.precision);
     }
     for (std::size_t i = 0; i < marks.size(); ++i) marks[i].precision = precisions[i];
-    auto observations = observe(volume_, family_, best.state, 1.3, manyVoxels);
+    auto observations = observe(volume_, family_, best.state, 1.3, manyVoxels, Threads::all);
     observations.marks = std::move(marks);
-    best = fit_.run(best.state, observations, {Freedom::everything, 16, 0.0, 1.0});
+    best = fit_.run(best.state, observations, {Freedom::everything, 16, 0.0, 1.0}, Threads::all);
   }
   return best;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/InParallel.h"
 
 #include <algorithm>
 #include <chrono>
@@ -13,8 +13,7 @@
 #include "perilymph/foundation/CallNoThrow.h"
 #include "perilymph/foundation/RealTime.h"
 
-namespace perilymph::analysis {
-
+namespace perilymph {
 namespace {
 
 /// Data shared by the threads.
@@ -84,4 +83,4 @@ Result<void> doInParallel(
   return {};
 }
 
-}  // namespace perilymph::analysis
+}  // namespace perilymph

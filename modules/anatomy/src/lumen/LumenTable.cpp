@@ -138,6 +138,7 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
   const double tall = along(halfHeight, piece, here.value);
   const SectionWall outline(scala, angle);
   const SectionWall::Radii radii = outline.radii();
+  const std::vector<SectionWall::Radii> radiiOfSteps = outline.radiiOfSteps();
   constexpr double rounding = 1e-9;
   std::array<double, across> u{}, v{};
   for (int i = 0; i < across; ++i) {
@@ -153,8 +154,14 @@ void LumenField::fillSection(const ScalaTympani& scala, int section)
       const double off = std::sqrt(u[i] * u[i] + v[j] * v[j]);
       bool isInside = off < (1.0 - rounding) * radii.min;
       if (!isInside && off < (1.0 + rounding) * radii.max) {
-        const Eigen::Vector3d wall = outline.at(arcTangent(v[j], u[i])) - center;
-        isInside = off < std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
+        const double direction = arcTangent(v[j], u[i]);
+        const SectionWall::Radii& near = radiiOfSteps[outline.stepOf(direction)];
+        isInside = off < (1.0 - rounding) * near.min;
+        if (!isInside && off < (1.0 + rounding) * near.max) {
+          const Eigen::Vector3d wall = outline.at(direction) - center;
+          isInside =
+              off < std::sqrt(wall.x() * wall.x() + wall.y() * wall.y() + wall.z() * wall.z());
+        }
       }
       const double distance = distances[i * across + j];
       to[i * across + j] = static_cast<float>(isInside ? distance : -distance);

@@ -176,14 +176,20 @@ SectionWall::SectionWall(const ScalaTympani& scala, double angle, Place place) n
 {
 }
 
+Place SectionWall::indexOf(double direction) const noexcept
+{
+  const double turns = direction / (2.0 * pi);
+  const double index = (turns - std::floor(turns)) * static_cast<double>(scala_.tables_.directions);
+  auto first = static_cast<std::size_t>(index);
+  if (first > scala_.rowLength_ - 4) first = scala_.rowLength_ - 4;
+  return {first, index - static_cast<double>(first)};
+}
+
 Eigen::Vector3d SectionWall::at(double direction, const SineCosine& around) const noexcept
 {
   const std::size_t rowLength = scala_.rowLength_;
-  const double turns = direction / (2.0 * pi);
-  const double index = (turns - std::floor(turns)) * static_cast<double>(scala_.tables_.directions);
-  auto column = static_cast<std::size_t>(index);
-  if (column > rowLength - 4) column = rowLength - 4;
-  const CubicWeights across(index - static_cast<double>(column));
+  const auto [column, fraction] = indexOf(direction);
+  const CubicWeights across(fraction);
   double radius = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
     radius += along_.value[k] * weighted(rows_ + k * rowLength + column, across.value);
@@ -198,6 +204,24 @@ SectionWall::Radii SectionWall::radii() const noexcept
 {
   const auto [min, max] = std::minmax_element(rows_, rows_ + 4 * scala_.rowLength_);
   return {*min, *max};
+}
+
+std::vector<SectionWall::Radii> SectionWall::radiiOfSteps() const
+{
+  const std::size_t rowLength = scala_.rowLength_;
+  std::vector<Radii> ofColumn(rowLength, Radii{1e9, 0.0});
+  for (std::size_t column = 0; column < rowLength; ++column)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double radius = rows_[k * rowLength + column];
+      ofColumn[column] = {std::min(ofColumn[column].min, radius),
+                          std::max(ofColumn[column].max, radius)};
+    }
+  std::vector<Radii> steps(ofColumn.begin(), ofColumn.end() - 3);
+  for (std::size_t step = 0; step < steps.size(); ++step)
+    for (std::size_t k = 1; k < 4; ++k)
+      steps[step] = {std::min(steps[step].min, ofColumn[step + k].min),
+                     std::max(steps[step].max, ofColumn[step + k].max)};
+  return steps;
 }
 
 Eigen::Vector3d ScalaTympani::wall_W(double angle, double direction) const noexcept

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "numerics/CubicTable.h"
 #include "perilymph/anatomy/ScalaTympani.h"
@@ -64,7 +65,15 @@ public:
   };
   Radii radii() const noexcept;
 
+  /// The same bounds for every step of the table around the section.
+  std::vector<Radii> radiiOfSteps() const;
+  /// The step in which a direction lies [rad].
+  std::size_t stepOf(double direction) const noexcept { return indexOf(direction).first; }
+
 private:
+  /// The position of a direction in the table around the section.
+  Place indexOf(double direction) const noexcept;
+
   SectionWall(const ScalaTympani& scala, double angle, Place place) noexcept;
 
   const ScalaTympani& scala_;

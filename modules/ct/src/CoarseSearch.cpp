@@ -60,6 +60,8 @@ public:
       const double fraction = (static_cast<double>(region.value(i)) - bone) / (lumen - bone);
       double likeness = std::clamp(fraction, 0.0, 1.0);
       if (fraction > 1.25) likeness = std::max(0.0, 1.0 - 4.0 * (fraction - 1.25));
+      // Without smaller values every sum of theirs is exact, in any order.
+      if (likeness < smallest) likeness = 0.0;
       // Unknown points outside the volume are neutral.
       values_[i] = region.isKnown(i) ? static_cast<float>(likeness) : neutral;
     }
@@ -102,7 +104,7 @@ private:
   PERILYMPH_IN_LANES double sumInLanes(const Rows& rows, const Points& points) const
   {
     const float* const values = values_.data();
-    double result = 0.0;
+    std::array<double, 4> sums{};  // which do not wait for each other
     for (std::size_t from = 0; from < points.size(); from += block) {
       const double* const x = points.along[0].data() + from;
       const double* const y = points.along[1].data() + from;
@@ -114,9 +116,15 @@ private:
       for (std::size_t i = 0; i < block; ++i)
         indices[i] = indexOf(along(rows[0], i), along(rows[1], i), along(rows[2], i));
       const std::size_t count = std::min(block, points.size() - from);
-      for (std::size_t i = 0; i < count; ++i) result += static_cast<double>(values[indices[i]]);
+      if (count == block) {
+        for (std::size_t i = 0; i < block; i += sums.size())
+          for (std::size_t k = 0; k < sums.size(); ++k)
+            sums[k] += static_cast<double>(values[indices[i + k]]);
+      } else {
+        for (std::size_t i = 0; i < count; ++i) sums[0] += static_cast<double>(values[indices[i]]);
+      }
     }
-    return result;
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 
   PERILYMPH_IN_LANES void addSumsInLanes(const Rows& rows, const Points& origins,
@@ -146,6 +154,8 @@ private:
   }
 
   static constexpr float neutral = 0.5F;
+  /// A float above it is a multiple of 2^-44, and a double holds sums of those up to 2^9.
+  static constexpr double smallest = 1.0 / (1 << 21);
 
   /// Without branches: which points lie outside is not to be foreseen.
   PERILYMPH_IN_LANES unsigned indexOf(int i, int j, int k) const

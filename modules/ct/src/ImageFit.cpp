@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "NormalDistribution.h"
@@ -478,10 +479,8 @@ Observations observe(const CtVolume& volume, const LumenShape& family, const Fit
         const Eigen::Vector3d point_P = volume.toLps(Eigen::Vector3d(i, j, k));
         const Eigen::Vector3d point_W = state.pose.into_W(point_P);
         if (std::fabs(point_W.z() - 1.0) > 4.5) continue;
-        const NearTurns near = lumen.distances(point_W, reach_mm);
-        if (near.nearest < 0 ||
-            std::fabs(near.turn[static_cast<std::size_t>(near.nearest)].inside) > reach_mm)
-          continue;
+        const std::optional<double> inside = lumen.inside(point_W, reach_mm);
+        if (!inside || std::fabs(*inside) > reach_mm) continue;
         inSlice[slice].push_back({point_P, static_cast<double>(volume.voxel(i, j, k))});
       }
   });

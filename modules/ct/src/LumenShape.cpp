@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "perilymph/anatomy/Population.h"
 #include "perilymph/foundation/Math.h"
@@ -130,31 +131,85 @@ SectionPlace ShapedLumen::place(const LinePlace& at) const
           mix(a.tilt, b.tilt)};
 }
 
-NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) const
+/// A point beside one turn: its place, and the distance in the section with its spatial derivatives.
+struct ShapedLumen::Beside {
+  double angle, width;
+  LinePlace line;
+  SectionPlace at;
+  double fromOuter, u, v;
+  SectionDistance section;
+  double gr, gz,
+      gt;  ///< Derivatives of the distance in the section: outward, along the axis, around it.
+
+  /// Squared length of the derivatives; by its root, not below `leastSlope`, distances in space are shorter.
+  double squaredSlope() const { return gr * gr + gz * gz + gt * gt; }
+  double inside() const { return section.inside / std::max(leastSlope, std::sqrt(squaredSlope())); }
+  static constexpr double leastSlope = 0.3;
+};
+
+template <class Visit>
+void ShapedLumen::eachTurn(const Eigen::Vector3d& point_W, double r, double reach,
+                           const Visit& visit) const
 {
-  NearTurns near;
-  const double r = std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
-  if (r < 1e-6 || r > 9.0) return near;
-  const double cosine = point_W.x() / r, sine = point_W.y() / r;
   double angle = arcTangent(point_W.y(), point_W.x());
   while (angle < MeanLumen::firstAngle()) angle += 2.0 * pi;
-  for (; angle < mean_.lastAngle() && near.count < 4; angle += 2.0 * pi) {
+  for (; angle < mean_.lastAngle(); angle += 2.0 * pi) {
     // Turns out of reach are excluded by the mean shape alone, with a margin for individuals.
     const LinePlace line = mean_.placeOf(angle);
     const double width = mean_.width(line);
     if (std::fabs(r - mean_.outerRadius(line) + 0.5 * width) > 0.5 * width + reach + 1.6) continue;
-    const SectionPlace at = place(line);
-    const double fromOuter = r - at.outer;
-    const double u = fromOuter / at.width;
-    const double v = (point_W.z() - at.middle - at.tilt * fromOuter) / at.height;
-    const SectionDistance section = mean_.distance(angle, u, v);
-    const double gr = section.du / at.width - section.dv * at.tilt / at.height;
-    const double gz = section.dv / at.height;
-    const double gt = -(gr * at.outerSlope + gz * at.middleSlope) / r;
-    const double norm = std::max(0.3, std::sqrt(gr * gr + gz * gz + gt * gt));
+    Beside turn{angle, width, line, place(line), 0.0, 0.0, 0.0, {}, 0.0, 0.0, 0.0};
+    const SectionPlace& at = turn.at;
+    turn.fromOuter = r - at.outer;
+    turn.u = turn.fromOuter / at.width;
+    turn.v = (point_W.z() - at.middle - at.tilt * turn.fromOuter) / at.height;
+    turn.section = mean_.distance(angle, turn.u, turn.v);
+    turn.gr = turn.section.du / at.width - turn.section.dv * at.tilt / at.height;
+    turn.gz = turn.section.dv / at.height;
+    turn.gt = -(turn.gr * at.outerSlope + turn.gz * at.middleSlope) / r;
+    visit(turn);
+  }
+}
+
+namespace {
+
+/// Distance from the axis; empty where no turn is.
+std::optional<double> radiusOf(const Eigen::Vector3d& point_W)
+{
+  const double r = std::sqrt(point_W.x() * point_W.x() + point_W.y() * point_W.y());
+  return r < 1e-6 || r > 9.0 ? std::nullopt : std::optional<double>(r);
+}
+
+}  // namespace
+
+std::optional<double> ShapedLumen::inside(const Eigen::Vector3d& point_W, double reach) const
+{
+  const auto r = radiusOf(point_W);
+  std::optional<double> largest;
+  if (!r) return largest;
+  eachTurn(point_W, *r, reach, [&](const Beside& turn) {
+    // out of reach, by more than rounding: without a root and a division
+    const double out = std::min(0.0, turn.section.inside);
+    constexpr double least = Beside::leastSlope * Beside::leastSlope;
+    if (out * out > 1.000001 * reach * reach * std::max(least, turn.squaredSlope())) return;
+    const double inside = turn.inside();
+    if (inside >= -reach && (!largest || inside > *largest)) largest = inside;
+  });
+  return largest;
+}
+
+NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) const
+{
+  NearTurns near;
+  const auto r = radiusOf(point_W);
+  if (!r) return near;
+  const double cosine = point_W.x() / *r, sine = point_W.y() / *r;
+  eachTurn(point_W, *r, reach, [&](const Beside& beside) {
+    const auto& [angle, width, line, at, fromOuter, u, v, section, gr, gz, gt] = beside;
     TurnDistance turn;
-    turn.inside = section.inside / norm;
-    if (turn.inside < -reach) continue;
+    turn.inside = beside.inside();
+    if (turn.inside < -reach || near.count == static_cast<int>(near.turn.size())) return;
+    const double norm = std::max(Beside::leastSlope, std::sqrt(beside.squaredSlope()));
     turn.angle = angle;
     turn.u = u;
     turn.width = width;
@@ -168,7 +223,7 @@ NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) c
     if (near.nearest < 0 || turn.inside > near.turn[static_cast<std::size_t>(near.nearest)].inside)
       near.nearest = near.count;
     near.turn[static_cast<std::size_t>(near.count++)] = turn;
-  }
+  });
   return near;
 }
 

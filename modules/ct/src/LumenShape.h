@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "MeanLumen.h"
@@ -107,9 +108,18 @@ public:
   SectionPlace place(const LinePlace& at) const;
   /// The turns within `reach` of a point in W [mm].
   NearTurns distances(const Eigen::Vector3d& point_W, double reach) const;
+  /// Distance from the wall of the nearest of these turns, positive in the lumen [mm]; empty without one.
+  std::optional<double> inside(const Eigen::Vector3d& point_W, double reach) const;
   const MeanLumen& mean() const { return mean_; }
 
 private:
+  struct Beside;
+  /// Calls `visit` with every turn that may be within reach.
+  ///
+  /// @param r  Distance of the point from the axis [mm].
+  template <class Visit>
+  void eachTurn(const Eigen::Vector3d& point_W, double r, double reach, const Visit& visit) const;
+
   const MeanLumen& mean_;
   std::vector<SectionPlace> places_;  ///< As the lines of the mean lumen.
 };

@@ -12,7 +12,8 @@
 #include "OutputFolder.h"
 #include "StudyOptions.h"
 #include "Terminal.h"
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RunProgress.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/study/StudyEstimate.h"
 #include "perilymph/study/StudyFile.h"
 #include "perilymph/study/StudyReport.h"
@@ -129,7 +130,7 @@ Result<void> checkStudy(const StudyOptions& options)
 
   const auto cost = study::estimate(*study);
   if (!cost) return cost.error();
-  const unsigned cores = analysis::processors();
+  const unsigned cores = processors();
   print("about {} on {} cores of this machine, {} on disk\n",
         durationText(cost->processorTime_s / cores), cores, sizeText(cost->bytes));
   return {};

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Time of the wall query for all nodes of an array, the inner loop of contact.
+// Time of the wall query for all nodes of an array, the inner loop of contact, and of the building of a
+// cochlea and of the table that the query reads.
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "Percentiles.h"
+#include "perilymph/anatomy/MeanScala.h"
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/anatomy/ScalaVestibuli.h"
 
 namespace {
 
@@ -64,5 +68,34 @@ void nearestWall(benchmark::State& state)
 }
 
 BENCHMARK(nearestWall)->Name("lumen")->ArgName("batch")->Arg(100)->Unit(benchmark::kMicrosecond);
+
+/// The mean cochlea scaled to A, B and H of a patient.
+std::shared_ptr<const anatomy::ScalaTympani> measuredCochlea()
+{
+  const anatomy::BasalTurn turn{millimeters(9.1), millimeters(6.9), millimeters(3.9)};
+  return *anatomy::buildMean("", turn, millimeters(1));
+}
+
+/// As for each simulation of a plan: with the sections above the partition.
+void buildCochlea(benchmark::State& state)
+{
+  for (auto _ : state) {
+    const auto scala = measuredCochlea();
+    benchmark::DoNotOptimize(anatomy::vestibuliOf(*scala).get());
+    benchmark::DoNotOptimize(anatomy::bothScalaeOf(*scala).get());
+  }
+}
+BENCHMARK(buildCochlea)->Name("cochlea/build")->Unit(benchmark::kMillisecond);
+
+void prepareTable(benchmark::State& state)
+{
+  for (auto _ : state) {
+    state.PauseTiming();
+    const auto scala = measuredCochlea();
+    state.ResumeTiming();
+    scala->prepare();
+  }
+}
+BENCHMARK(prepareTable)->Name("cochlea/table")->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -9,7 +9,8 @@
 
 #include "PlanFile.h"
 #include "PlanSetup.h"
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RunProgress.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReading.h"
 
@@ -167,7 +168,7 @@ Result<Plan> makePlan(const PlanRequest& request, const std::filesystem::path& d
         if (!ending.stop_requested()) block[piece] = *std::move(run);
         return {};
       };
-      const auto ran = analysis::doInParallel(
+      const auto ran = doInParallel(
           count, request.jobs, work,
           [&](std::size_t pieces) {
             if (progress) progress((done + pieces) * arrays, request.draws * arrays);

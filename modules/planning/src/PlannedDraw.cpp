@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "PlanSetup.h"
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/InParallel.h"
 
 namespace perilymph::planning {
 namespace {
@@ -112,9 +112,7 @@ Result<std::vector<RepresentativeEnd>> representativeEnds(const Plan& plan,
     cochlea = *std::move(built);
     return {};
   };
-  if (const auto built =
-          analysis::doInParallel(cochleae.size(), plan.request.jobs, build, {}, stop);
-      !built)
+  if (const auto built = doInParallel(cochleae.size(), plan.request.jobs, build, {}, stop); !built)
     return built.error();
   const auto run = [&](std::size_t piece, const std::stop_token& ending) -> Result<void> {
     const std::size_t array = missing[piece];
@@ -124,8 +122,7 @@ Result<std::vector<RepresentativeEnd>> representativeEnds(const Plan& plan,
     ends[array].node_W = std::move(shape->insertion.end_W);
     return {};
   };
-  if (const auto ran = analysis::doInParallel(missing.size(), plan.request.jobs, run, {}, stop);
-      !ran)
+  if (const auto ran = doInParallel(missing.size(), plan.request.jobs, run, {}, stop); !ran)
     return ran.error();
   return ends;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "PlanSetup.h"
+#include "perilymph/foundation/InParallel.h"
 
 namespace perilymph::planning {
 
@@ -24,7 +25,7 @@ Result<std::vector<UnstoppedDraw>> unstoppedDraws(const PlanRequest& request, st
     draws[piece] = *std::move(run);
     return {};
   };
-  const auto ran = analysis::doInParallel(
+  const auto ran = doInParallel(
       count, request.jobs, work,
       [&](std::size_t done) {
         if (progress) progress(done, count);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/InParallel.h"
 
 namespace perilymph::study {
 
@@ -39,7 +39,7 @@ Result<StudyResult> recordCase(const Study& study, std::size_t number,
   if (!anatomy) return anatomy.error();
   // in a thread that may compute whole insertions, whatever the caller's is
   std::optional<Result<analysis::InsertionRun>> ran;
-  const auto done = analysis::doInParallel(
+  const auto done = doInParallel(
       1, 1,
       [&](std::size_t, const std::stop_token& ending) -> Result<void> {
         ran = analysis::runInsertion(*scenario, *anatomy, recording, ending);

@@ -6,8 +6,8 @@
 #include <memory>
 #include <stop_token>
 
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionRun.h"
+#include "perilymph/foundation/InParallel.h"
 
 namespace perilymph::study {
 
@@ -57,7 +57,7 @@ Result<StudyEstimate> estimate(const Study& study, const std::stop_token& stop)
     }
     return {};
   };
-  if (const auto done = analysis::doInParallel(1, 1, measure, {}, stop); !done) return done.error();
+  if (const auto done = doInParallel(1, 1, measure, {}, stop); !done) return done.error();
   const auto cases = static_cast<double>(study.size());
   return StudyEstimate{
       static_cast<double>(study.cochleae().size()) * buildTime + cases * insertionTime,

@@ -8,9 +8,10 @@
 #include <tuple>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionRun.h"
 #include "perilymph/analysis/PhysicalRanges.h"
+#include "perilymph/analysis/RunProgress.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/study/StudyFile.h"
 
 namespace perilymph::study {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 std::size_t blockSizeOf(std::size_t cases, unsigned jobs)
 {
   constexpr std::size_t parts = 20, most = 64;
-  const std::size_t threads = jobs > 0 ? jobs : analysis::processors();
+  const std::size_t threads = jobs > 0 ? jobs : processors();
   return std::min(std::max({std::size_t{1}, cases / parts, threads}), most);
 }
 
@@ -172,7 +173,7 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
       }
       return {};
     };
-    const auto ran = analysis::doInParallel(
+    const auto ran = doInParallel(
         pieces.size(), jobs, work,
         [&](std::size_t) {
           if (progress) progress(first - shard.first + finished, all);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// How long a CT of 512 x 512 x 200 voxels takes to open, and three oblique views of it to sample.
+// How long a CT of 512 x 512 x 200 voxels takes to open, and three oblique views of it to sample; and how
+// long a cochlea takes to be measured.
 
 #include <benchmark/benchmark.h>
 
@@ -9,8 +10,10 @@
 #include <memory>
 #include <vector>
 
+#include "perilymph/ct/Measures.h"
 #include "perilymph/imaging/CtSeries.h"
 #include "perilymph/imaging/PlaneSampler.h"
+#include "perilymph/test/CtPhantom.h"
 #include "perilymph/test/DicomWriter.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -94,6 +97,29 @@ void openInWindow(benchmark::State& state)
 BENCHMARK(openInWindow)
     ->Name("ct/open_in_window/512x512x200")
     ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+/// A phantom of 0.3 mm, in which the cochlea is searched for, or where it was clicked.
+void measure(benchmark::State& state, bool isClicked)
+{
+  static const test::CtPhantom phantom = test::makeCtPhantom(302, test::highResolutionScan());
+  ct::MeasureRequest request;
+  if (isClicked) request.click_P = test::jitteredClick(phantom, 302);
+  for (auto _ : state) {
+    const auto found = ct::measureCochlea(phantom.volume, request);
+    if (!found) return state.SkipWithError(found.error().message.c_str());
+    benchmark::DoNotOptimize(found->a.value);
+  }
+}
+BENCHMARK_CAPTURE(measure, search, false)
+    ->Name("ct/measure")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK_CAPTURE(measure, click, true)
+    ->Name("ct/measure/click")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 }  // namespace

@@ -8,9 +8,9 @@
 
 #include "../plan/TruePatient.h"
 #include "PlanSetup.h"
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/RandomStream.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::test {
@@ -139,7 +139,7 @@ Result<Pool> makePool(const PoolSize& size)
         pushTruly(prepared[i], i + 1, truth, size.truths, isStiff ? stiffer : 1.0, stop);
     return {};
   };
-  const auto done = analysis::doInParallel(size.patients * ofPatient, 0, work);
+  const auto done = doInParallel(size.patients * ofPatient, 0, work);
   if (!done) return done.error();
   return pool;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "gui/text/DataText.h"
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/planning/PlannedDraw.h"
 
 namespace perilymph::gui {
@@ -30,7 +30,7 @@ void PlanShapeWork::runNext(std::size_t place)
           return {};
         };
         // insertions run in threads of their own
-        const auto ran = analysis::doInParallel(1, 1, work, {}, stop);
+        const auto ran = doInParallel(1, 1, work, {}, stop);
         if (!ran) return ran.error();
         if (!*shape) return shape->error();
         return std::make_shared<const planning::PlannedShape>(**std::move(shape));

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "gui/text/DataText.h"
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
 
@@ -20,7 +20,7 @@ constexpr int reportInterval_ms = 250;
 constexpr std::size_t firstDraws = 8;
 
 /// All processors but one, which the window and a haptic loop share.
-unsigned jobsBesideWindow() { return std::max(2u, analysis::processors()) - 1; }
+unsigned jobsBesideWindow() { return std::max(2u, processors()) - 1; }
 
 }  // namespace
 

@@ -24,7 +24,7 @@
 #include "gui/widgets/Selector.h"
 #include "gui/widgets/Theme.h"
 #include "gui/widgets/WrappedLabel.h"
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/foundation/Resources.h"
 
 namespace perilymph::gui {
@@ -95,7 +95,7 @@ NewStudy::NewStudy(QWidget* parent) : QWidget(parent), estimate_(this)
                     .arg(QLocale().toString(qulonglong(insertions)),
                          durationText(cost.processorTime_s / jobs()))
                     .arg(jobs())
-                    .arg(analysis::processors())
+                    .arg(processors())
                     .arg(cost.measured),
                 true);
           });
@@ -238,9 +238,9 @@ void NewStudy::addRun(QVBoxLayout& column)
                            QString::fromLatin1(resolutions[i].name));
   resolution_->show(QStringLiteral("usual"), {});
   cores_ = new Selector("newStudyCores", tr("Cores"), this);
-  for (unsigned i = 1; i <= analysis::processors(); ++i)
+  for (unsigned i = 1; i <= processors(); ++i)
     cores_->addChoice(i == 1 ? tr("1 core") : tr("%1 cores").arg(i), QString::number(i));
-  cores_->show(QString::number(std::max(2u, analysis::processors()) - 1), {});
+  cores_->show(QString::number(std::max(2u, processors()) - 1), {});
   for (Selector* each : {resolution_, cores_}) {
     column.addWidget(each);
     connect(each, &Selector::chosen, this, &NewStudy::edited);

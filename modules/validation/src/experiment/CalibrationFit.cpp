@@ -33,8 +33,7 @@ struct Trial {
 }  // namespace
 
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
-                                         const analysis::PieceProgress& progress,
-                                         const std::stop_token& stop)
+                                         const PieceProgress& progress, const std::stop_token& stop)
 {
   const analysis::PrintedForce* printed = request.experiment.find(fittedFeature);
   if (!printed || !(printed->standardDeviation > 0.0))

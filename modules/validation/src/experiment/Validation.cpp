@@ -7,8 +7,9 @@
 
 #include "experiment/LeastSquaresSpline.h"
 #include "experiment/MeasuredInsertion.h"
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/RandomStream.h"
+#include "perilymph/analysis/RunProgress.h"
+#include "perilymph/foundation/InParallel.h"
 
 namespace perilymph::validation {
 
@@ -326,7 +327,7 @@ Result<ValidationResult> validate(const ValidationRequest& request,
       request.onCurve(kept[piece].curve);
     return done;
   };
-  const auto done = analysis::doInParallel(
+  const auto done = doInParallel(
       all, request.jobs, work,
       [&](std::size_t count) {
         if (progress) progress(count, all);

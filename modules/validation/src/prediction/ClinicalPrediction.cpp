@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "perilymph/analysis/ArrayTaper.h"
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/PackingRange.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/electrode/WirePacking.h"
+#include "perilymph/foundation/InParallel.h"
 #include "prediction/PhantomRows.h"
 #include "prediction/VirtualInsertion.h"
 
@@ -98,7 +99,7 @@ Result<ClinicalResult> predictClinic(const ClinicalRequest& request,
     return {};
   };
   const std::size_t all = insertionsOf(request);
-  const auto done = analysis::doInParallel(
+  const auto done = doInParallel(
       cochleae + (request.arrays.empty() ? 1 : 0), request.jobs, work,
       [&](std::size_t count) {
         if (progress) progress(count > cochleae ? all : count * arrays, all);

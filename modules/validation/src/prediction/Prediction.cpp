@@ -6,8 +6,9 @@
 #include <cmath>
 #include <stop_token>
 
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionRun.h"
+#include "perilymph/analysis/RunProgress.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/foundation/Quantile.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/TomlReader.h"
@@ -144,7 +145,7 @@ Result<PredictionResult> predict(const PredictionRequest& request,
     }
     return {};
   };
-  const auto done = analysis::doInParallel(
+  const auto done = doInParallel(
       cochleae, request.jobs, work,
       [&](std::size_t count) {
         if (progress) progress(count * arrays, cochleae * arrays);

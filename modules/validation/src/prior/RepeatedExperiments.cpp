@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "experiment/MeasuredInsertion.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/session/Calibration.h"
 #include "perilymph/session/Insertion.h"
@@ -211,7 +212,7 @@ Result<std::vector<RepeatedExperiment>> repeatExperiments(const PriorRequest& re
       all[first + piece] = *std::move(one);
       return {};
     };
-    const auto done = analysis::doInParallel(
+    const auto done = doInParallel(
         more, request.jobs, work,
         [&](std::size_t count) {
           if (progress) progress(std::min(wanted, counted + count), wanted);

@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/outcome/ClinicOutcomes.h"
 #include "perilymph/outcome/OutcomeText.h"

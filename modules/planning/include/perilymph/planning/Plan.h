@@ -9,7 +9,7 @@
 #include <stop_token>
 #include <string>
 
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/planning/PlanRequest.h"
 #include "perilymph/planning/PlanResult.h"

@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/analysis/StopCurve.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/planning/PlanRequest.h"

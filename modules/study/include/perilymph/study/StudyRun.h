@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/study/Study.h"
 #include "perilymph/study/StudyFile.h"

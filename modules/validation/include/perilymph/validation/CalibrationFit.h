@@ -5,7 +5,7 @@
 
 #include <stop_token>
 
-#include "perilymph/analysis/InParallel.h"
+#include "perilymph/foundation/InParallel.h"
 #include "perilymph/session/Calibration.h"
 #include "perilymph/validation/Validation.h"
 
@@ -32,7 +32,7 @@ struct CalibrationResult {
 /// uncertainty follows from the experiment's standard error. `progress` receives the number of trials
 /// done; `stop` ends the work early, with an error.
 Result<CalibrationResult> fitCalibration(const CalibrationRequest& request,
-                                         const analysis::PieceProgress& progress = {},
+                                         const PieceProgress& progress = {},
                                          const std::stop_token& stop = {});
 
 }  // namespace perilymph::validation

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/InsertionByHand.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::validation {

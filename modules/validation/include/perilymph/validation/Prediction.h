@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "perilymph/analysis/ForceProfile.h"
-#include "perilymph/analysis/InParallel.h"
 #include "perilymph/analysis/Reference.h"
+#include "perilymph/analysis/RunProgress.h"
 #include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/validation/IncompleteInsertion.h"

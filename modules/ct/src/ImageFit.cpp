@@ -125,7 +125,7 @@ struct ImageFit::Prediction {
     std::vector<Voxel> voxels;
     std::vector<std::uint8_t> index;
     std::vector<double> value;
-    std::vector<std::size_t> end;  ///< Of each voxel's entries.
+    std::vector<std::size_t> end;  ///< Where each voxel's entries end.
   };
   std::unique_ptr<const ShapedLumen> lumen;
   std::vector<Piece> pieces;

@@ -141,10 +141,10 @@ struct ShapedLumen::Beside {
   double gr, gz,
       gt;  ///< Derivatives of the distance in the section: outward, along the axis, around it.
 
-  /// Squared length of the derivatives; by its root, not below `leastSlope`, distances in space are shorter.
+  /// Squared length of the derivatives; by its root, not below `minSlope`, distances in space are shorter.
   double squaredSlope() const { return gr * gr + gz * gz + gt * gt; }
-  double inside() const { return section.inside / std::max(leastSlope, std::sqrt(squaredSlope())); }
-  static constexpr double leastSlope = 0.3;
+  double inside() const { return section.inside / std::max(minSlope, std::sqrt(squaredSlope())); }
+  static constexpr double minSlope = 0.3;
 };
 
 template <class Visit>
@@ -190,7 +190,7 @@ std::optional<double> ShapedLumen::inside(const Eigen::Vector3d& point_W, double
   eachTurn(point_W, *r, reach, [&](const Beside& turn) {
     // out of reach, by more than rounding: without a root and a division
     const double out = std::min(0.0, turn.section.inside);
-    constexpr double least = Beside::leastSlope * Beside::leastSlope;
+    constexpr double least = Beside::minSlope * Beside::minSlope;
     if (out * out > 1.000001 * reach * reach * std::max(least, turn.squaredSlope())) return;
     const double inside = turn.inside();
     if (inside >= -reach && (!largest || inside > *largest)) largest = inside;
@@ -209,7 +209,7 @@ NearTurns ShapedLumen::distances(const Eigen::Vector3d& point_W, double reach) c
     TurnDistance turn;
     turn.inside = beside.inside();
     if (turn.inside < -reach || near.count == static_cast<int>(near.turn.size())) return;
-    const double norm = std::max(Beside::leastSlope, std::sqrt(beside.squaredSlope()));
+    const double norm = std::max(Beside::minSlope, std::sqrt(beside.squaredSlope()));
     turn.angle = angle;
     turn.u = u;
     turn.width = width;

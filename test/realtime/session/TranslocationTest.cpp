@@ -18,7 +18,7 @@ namespace {
 
 /// What 15 mm of a push gave.
 struct Push {
-  std::vector<double> values;  ///< Of every step: the force on the hand and the tip's position.
+  std::vector<double> values;  ///< Force on the hand and position of the tip, step by step.
   std::uint64_t ruptured = 0;  ///< The step after which the partition was open; 0: none.
   std::size_t allocatedBefore = 0, allocatedSince = 0;  ///< In steps up to that one, and after it.
 };

@@ -102,24 +102,30 @@ PERILYMPH_IN_LANES T WallLines::squaredTo(std::size_t place, const T& u, const T
   return squaredDistance(line, u, v);
 }
 
-PERILYMPH_IN_LANES auto WallLines::squaredToFour(std::size_t place, double u,
+PERILYMPH_IN_LANES auto WallLines::squaredBeside(std::size_t place, double u,
                                                  double v) const noexcept
 {
-  const auto at = [place](const Column& column)
-                      PERILYMPH_KERNEL { return load<Four>(column.data(), place); };
+  const auto at = [place](const Column& column) PERILYMPH_KERNEL {
+    using Two [[gnu::vector_size(16)]] = double;
+    const Two before = load<Two>(column.data(), place - 2);
+    const Two after = load<Two>(column.data(), place + 1);
+    return __builtin_shufflevector(before, after, 0, 1, 2, 3);
+  };
   const Line<Four> lines{at(u_),     at(v_),     at(alongU_), at(alongV_),
                          at(bendU_), at(bendV_), at(bend_),   at(reach_)};
   return squaredDistance(lines, fourOf(u), fourOf(v));
 }
 
-PERILYMPH_IN_LANES double WallLines::refined(std::size_t place, double u, double v) const noexcept
+PERILYMPH_IN_LANES double WallLines::refined(std::size_t place, double squared, double u,
+                                             double v) const noexcept
 {
-  double near[2 * stride + 1];
-  store(squaredToFour(place - stride, u, v), near, 0);
-  store(squaredToFour(place, u, v), near, stride);
+  const Four beside = squaredBeside(place, u, v);
+  double near[2 * stride + 1] = {0.0, beside[0], beside[1], squared, beside[2], beside[3], 0.0};
   int nearest = stride;
   for (const int k : {4, 2, 5, 1})
     if (near[k] < near[nearest]) nearest = k;
+  if (nearest == 1) near[0] = squaredTo<double>(place - stride, u, v);
+  if (nearest == 5) near[6] = squaredTo<double>(place + stride, u, v);
   const double minimum = near[nearest];
   const double slope = near[nearest + 1] - near[nearest - 1];
   const double bend = near[nearest - 1] - 2.0 * minimum + near[nearest + 1];
@@ -135,7 +141,7 @@ double WallLines::distance(double u, double v) const noexcept
       minimum = found;
       nearest = placeOf(k);
     }
-  withLanes([&]() PERILYMPH_KERNEL { squared = refined(nearest, u, v); });
+  withLanes([&]() PERILYMPH_KERNEL { squared = refined(nearest, minimum, u, v); });
   return std::sqrt(std::max(squared, 0.0));
 }
 
@@ -207,7 +213,7 @@ PERILYMPH_IN_LANES void WallLines::distancesInLanes(std::span<const double> u,
           }
           for (std::size_t lane = 0; lane < lanes; ++lane) {
             const double squared =
-                refined(static_cast<std::size_t>(nearest[lane]), u[row], at[lane]);
+                refined(static_cast<std::size_t>(nearest[lane]), minima[lane], u[row], at[lane]);
             to[row * v.size() + first + lane] = std::sqrt(larger(squared, 0.0));
           }
         }

@@ -48,10 +48,11 @@ private:
   /// Squared distance in space from one point or four to the line at a place.
   template <class T>
   T squaredTo(std::size_t place, const T& u, const T& v) const noexcept;
-  /// The same from one point to the lines at a place and the three that follow.
-  auto squaredToFour(std::size_t place, double u, double v) const noexcept;
-  /// Squared distance to the wall from the nearest of the coarse points; negative by rounding only.
-  double refined(std::size_t place, double u, double v) const noexcept;
+  /// The same from one point to the two lines before a place and the two after it.
+  auto squaredBeside(std::size_t place, double u, double v) const noexcept;
+  /// Squared distance to the wall from the nearest of the coarse points and the squared distance to its
+  /// line; negative by rounding only.
+  double refined(std::size_t place, double squared, double u, double v) const noexcept;
   /// The coarse points that can be the nearest ones of a part of the grid; their number.
   std::size_t candidates(double u, double v, double radius, std::size_t* places) const noexcept;
   void distancesInLanes(std::span<const double> u, std::span<const double> v,

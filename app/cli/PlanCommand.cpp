@@ -11,7 +11,7 @@
 #include "PlanOptions.h"
 #include "Terminal.h"
 #include "perilymph/analysis/ClinicalReports.h"
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/Plan.h"
@@ -65,7 +65,7 @@ Result<std::string> shapesCsv(const planning::Plan& plan, const std::stop_token&
   for (std::size_t i = 0; i < ends->size(); ++i) {
     std::size_t node = 0;
     for (const auto& node_W : (*ends)[i].node_W) {
-      csv += analysis::csvField(plan.arrays[i].array) + "," + std::to_string((*ends)[i].draw) +
+      csv += csvField(plan.arrays[i].array) + "," + std::to_string((*ends)[i].draw) +
              "," + std::to_string(++node);
       for (const float place : node_W)
         csv += "," + fixed(inMillimeters(meters(static_cast<double>(place))), 4);

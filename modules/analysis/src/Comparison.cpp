@@ -12,11 +12,11 @@
 #include "ProfilePoints.h"
 #include "TableColumns.h"
 #include "perilymph/analysis/ColumnDictionary.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/PublishedConditions.h"
 #include "perilymph/analysis/Reference.h"
 #include "perilymph/analysis/RoundedTravel.h"
 #include "perilymph/analysis/Score.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::analysis {

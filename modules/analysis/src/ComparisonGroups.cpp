@@ -8,8 +8,8 @@
 
 #include "ComparisonColumns.h"
 #include "TableColumns.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Score.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/session/ScenarioChoices.h"
 
 namespace perilymph::analysis {

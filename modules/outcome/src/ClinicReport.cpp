@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "perilymph/analysis/ColumnDictionary.h"
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Seal.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/outcome/ClinicOutcomes.h"
@@ -231,10 +231,10 @@ std::string outcomesCsv(const ClinicOutcomes& outcomes)
   };
   for (std::size_t i = 0; i < outcomes.ears.size(); ++i) {
     const ScoredOutcome& ear = outcomes.ears[i];
-    csv += std::to_string(i + 1) + "," + std::to_string(ear.year) + "," +
-           analysis::csvField(ear.array) + "," + nameIn(stopReasons, ear.stopReason) + "," +
-           nameOf(ear.evidence) + "," + number(ear.depth_mm.value) + "," + number(ear.depth_mm.sd) +
-           band(ear.plannedDepth_mm) + "," + number(ear.percentile);
+    csv += std::to_string(i + 1) + "," + std::to_string(ear.year) + "," + csvField(ear.array) +
+           "," + nameIn(stopReasons, ear.stopReason) + "," + nameOf(ear.evidence) + "," +
+           number(ear.depth_mm.value) + "," + number(ear.depth_mm.sd) + band(ear.plannedDepth_mm) +
+           "," + number(ear.percentile);
     csv += ear.anglePercentile
                ? "," + number(ear.angle_deg->value) + "," + number(ear.angle_deg->sd) +
                      band(ear.plannedAngle_deg) + "," + number(*ear.anglePercentile)

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "perilymph/analysis/ColumnDictionary.h"
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/FieldMeaning.h"
 #include "perilymph/foundation/Version.h"
 
@@ -504,8 +504,8 @@ std::string outcomeCsv(const FoundArray& found)
   std::string flags;
   for (const Flag flag : found.flags)
     flags += (flags.empty() ? "" : " ") + std::string(nameOf(flag));
-  const std::string whole = "," + analysis::csvField(found.array) + "," +
-                            std::string(anatomy::nameOf(found.side)) + "," + flags;
+  const std::string whole =
+      "," + csvField(found.array) + "," + std::string(anatomy::nameOf(found.side)) + "," + flags;
   std::string csv = headerOf(columns()) + "\n";
   for (const FoundContact& c : found.contacts) {
     csv += std::to_string(c.number) + ",";

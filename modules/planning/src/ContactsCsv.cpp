@@ -8,8 +8,8 @@
 #include "DictionaryCsv.h"
 #include "FrequencyAllocation.h"
 #include "PlanNumbers.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Tonotopy.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::planning {
@@ -59,8 +59,7 @@ std::string contactRow(const std::string& array, int number, std::size_t draws,
                        const std::array<std::optional<double>, count>& values)
 {
   static_assert(count + 3 == std::size(contactColumns));
-  std::string row =
-      analysis::csvField(array) + "," + std::to_string(number) + "," + std::to_string(draws);
+  std::string row = csvField(array) + "," + std::to_string(number) + "," + std::to_string(draws);
   for (const std::optional<double>& value : values)
     row += "," + (value ? session::shortestDecimal(rounded(*value)) : std::string());
   return row + "\n";

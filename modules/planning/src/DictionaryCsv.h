@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 
 namespace perilymph::planning {
 
@@ -31,8 +31,7 @@ inline std::string dictionaryCsv(std::span<const DictionaryRow> columns)
   std::string csv = "column,unit,meaning,source\n";
   for (const DictionaryRow& each : columns)
     csv += std::string(each.key) + "," + std::string(each.unit) + "," +
-           analysis::csvField(std::string(each.meaning)) + "," +
-           analysis::csvField(std::string(each.source)) + "\n";
+           csvField(std::string(each.meaning)) + "," + csvField(std::string(each.source)) + "\n";
   return csv;
 }
 

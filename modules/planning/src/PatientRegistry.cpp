@@ -12,10 +12,10 @@
 
 #include "DictionaryCsv.h"
 #include "PlanNumbers.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/analysis/RecordedResults.h"
 #include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Normal.h"
 #include "perilymph/foundation/Resources.h"
 #include "perilymph/foundation/StateFolder.h"
@@ -165,7 +165,7 @@ public:
     for (const DictionaryRow& each : registryColumns) {
       const auto found = fields_.find(each.key);
       if (&each != registryColumns) row += ',';
-      if (found != fields_.end()) row += analysis::csvField(found->second);
+      if (found != fields_.end()) row += csvField(found->second);
     }
     return row + "\n";
   }

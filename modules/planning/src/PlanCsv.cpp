@@ -4,7 +4,7 @@
 #include "PlanColumns.h"
 #include "PlanNumbers.h"
 #include "perilymph/analysis/ClinicalReports.h"
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/planning/PlanReport.h"
 #include "perilymph/planning/PlanWords.h"
 #include "perilymph/session/Csv.h"
@@ -48,7 +48,7 @@ std::string cellsOfReports(const std::string& array)
     cells += hasBounds ? "," + number(report->low) + "," + number(report->high) : ",,";
     cells += "," + (hasBounds ? std::string(analysis::nameOf(report->spread)) : std::string());
     cells += "," + (report->n > 0 ? std::to_string(report->n) : std::string());
-    cells += "," + analysis::csvField(report->valueOf.empty() ? report->nOf : report->valueOf);
+    cells += "," + csvField(report->valueOf.empty() ? report->nOf : report->valueOf);
   }
   return cells + "," + (evidence ? analysis::nameOf(evidence->verdictOf(array)) : "");
 }
@@ -59,11 +59,10 @@ std::string arraysCsv(const Plan& plan)
 {
   std::string csv = headerOf(planArrayColumns()) + "\n";
   for (const ArrayPlan& each : plan.arrays) {
-    csv += analysis::csvField(each.array) + "," + analysis::csvField(each.name) + "," +
-           std::to_string(each.draws);
+    csv += csvField(each.array) + "," + csvField(each.name) + "," + std::to_string(each.draws);
     for (const PlanQuantity& quantity : planQuantities()) csv += cellsOf(each.*quantity.band);
     for (const PlanProbability& chance : planProbabilities()) csv += cellsOf(each.*chance.estimate);
-    csv += "," + analysis::csvField(bandsHold(plan));
+    csv += "," + csvField(bandsHold(plan));
     for (const FrictionQuantity& quantity : frictionQuantities)
       csv += each.atMedianFriction ? cellsOf(*each.atMedianFriction.*quantity.band) : ",,,,,";
     csv += cellsOfReports(each.array) + "\n";
@@ -75,8 +74,8 @@ std::string differencesCsv(const Plan& plan)
 {
   std::string csv = headerOf(planDifferenceColumns()) + "\n";
   for (const ArrayDifference& each : plan.differences) {
-    csv += analysis::csvField(plan.arrays[each.first].array) + "," +
-           analysis::csvField(plan.arrays[each.second].array) + "," + std::to_string(each.draws);
+    csv += csvField(plan.arrays[each.first].array) + "," +
+           csvField(plan.arrays[each.second].array) + "," + std::to_string(each.draws);
     for (const DifferenceQuantity& quantity : differenceQuantities)
       csv += cellsOf(each.*quantity.band);
     for (const DifferenceProbability& chance : differenceProbabilities)

@@ -9,7 +9,7 @@
 
 #include "InsertionsTable.h"
 #include "SummaryColumns.h"
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Quantile.h"
 #include "perilymph/session/Csv.h"
 
@@ -17,7 +17,6 @@ namespace perilymph::study {
 
 namespace {
 
-using analysis::csvField;
 using analysis::Estimate;
 
 constexpr const char* endings = "ending";

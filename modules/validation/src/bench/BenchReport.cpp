@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "ValidationColumns.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/figures/Strings.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 std::string row(const std::string& specimen, const std::string& medium, const Estimate& friction)
 {
-  return analysis::csvField(specimen) + "," + medium + "," + fixed(friction.median, 4) + "," +
+  return csvField(specimen) + "," + medium + "," + fixed(friction.median, 4) + "," +
          fixed(friction.low, 4) + "," + fixed(friction.high, 4) + "\n";
 }
 
@@ -59,7 +59,7 @@ std::string benchPredictedCsv(const BenchResult& result)
 {
   std::string csv = headerOf(benchPredictedColumns()) + "\n";
   for (const PredictedForce& each : result.predicted) {
-    csv += analysis::csvField(each.specimen) + "," + nameIn(benchMedia, each.medium) + "," +
+    csv += csvField(each.specimen) + "," + nameIn(benchMedia, each.medium) + "," +
            fixed(inMillimeters(meters(each.depth)), 2);
     for (const double force : {each.measured, each.median, each.low, each.high})
       csv += "," + fixed(inMillinewtons(newtons(force)), 1);
@@ -72,7 +72,7 @@ std::string benchScoresCsv(const BenchResult& result)
 {
   std::string csv = headerOf(benchScoreColumns()) + "\n";
   for (const ModelScore& each : result.scores)
-    csv += analysis::csvField(each.specimen) + "," + std::to_string(each.forces) + "," +
+    csv += csvField(each.specimen) + "," + std::to_string(each.forces) + "," +
            fixed(each.capstan, 2) + "," + fixed(each.constantRatio, 2) + "\n";
   return csv;
 }

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ValidationColumns.h"
-#include "perilymph/analysis/CsvField.h"
 #include "perilymph/analysis/Surgeon.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/validation/ClinicalPrediction.h"
@@ -84,16 +84,16 @@ std::string clinicalRowsCsv(const std::vector<ClinicalRow>& rows)
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const ClinicalCompanion nothing{none, none, 0, true};
   for (const ClinicalRow& row : rows) {
-    csv += analysis::csvQuoted(row.quantity) + "," + row.unit;
+    csv += csvQuoted(row.quantity) + "," + row.unit;
     for (const double value :
          {row.low, row.high, row.median, row.lowerQuartile, row.upperQuartile, row.inside})
       csv += "," + session::shortestDecimal(value);
     csv += "," + std::to_string(row.runs) + "," + nameOf(row.verdict) + "," +
            (row.isClinical ? "true" : "false") + "," + row.confidence + "," +
-           analysis::csvQuoted(row.source) + "," + analysis::csvQuoted(row.note) + "," +
-           cell(row.published) + "," + std::to_string(row.patients) + "," + cell(row.tolerance) +
-           "," + cell(row.power) + "," + nameOf(row.atMedianFriction) + "," +
-           cell(row.spreadFactor) + "," + cell(row.spreadTolerance) + "," + nameOf(row.spread);
+           csvQuoted(row.source) + "," + csvQuoted(row.note) + "," + cell(row.published) + "," +
+           std::to_string(row.patients) + "," + cell(row.tolerance) + "," + cell(row.power) + "," +
+           nameOf(row.atMedianFriction) + "," + cell(row.spreadFactor) + "," +
+           cell(row.spreadTolerance) + "," + nameOf(row.spread);
     const ClinicalCompanion inside = row.contactsInside.value_or(nothing);
     const ClinicalCompanion angle = row.angleAtLength.value_or(nothing);
     csv += "," + cell(inside.found) + "," + cell(inside.published) + "," + cell(angle.found) + "," +
@@ -108,12 +108,12 @@ std::string clinicalInsertionsCsv(const std::vector<analysis::ClinicalInsertion>
   std::string csv = headerOf(clinicalInsertionColumns()) + "\n";
   for (const analysis::ClinicalInsertion& each : insertions) {
     csv += std::to_string(each.seed) + "," + std::to_string(each.patient) + "," +
-           analysis::csvField(each.array) + "," + haptics::nameOf(each.end);
+           csvField(each.array) + "," + haptics::nameOf(each.end);
     for (const double value : {inDegrees(each.apical), inMillimeters(each.depth),
                                each.endForce.si(), each.peak.si(), each.partition.si()})
       csv += "," + session::shortestDecimal(value);
     csv += std::string(",") + (each.isRuptured ? "true" : "false") + "," +
-           (each.reason.empty() ? std::string() : analysis::csvQuoted(each.reason));
+           (each.reason.empty() ? std::string() : csvQuoted(each.reason));
     for (const auto& force : {each.forceAfter1s, each.forceAfter10s})
       csv += "," + (force ? session::shortestDecimal(force->si()) : std::string());
     const auto inside =

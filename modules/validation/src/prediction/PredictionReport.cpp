@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ValidationColumns.h"
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/validation/Prediction.h"
@@ -60,11 +60,11 @@ std::string predictionCsv(const PredictionResult& result)
 {
   std::string csv = headerOf(predictionColumns()) + "\n";
   for (const PredictedInsertion& each : result.insertions) {
-    csv += analysis::csvField(each.array) + "," + analysis::csvField(each.patient);
+    csv += csvField(each.array) + "," + csvField(each.patient);
     for (const double value :
          {inDegrees(each.apical), inMillimeters(each.depth), each.end.si(), each.peak.si()})
       csv += "," + session::shortestDecimal(value);
-    csv += "," + (each.error.empty() ? std::string() : analysis::csvQuoted(each.error)) + "\n";
+    csv += "," + (each.error.empty() ? std::string() : csvQuoted(each.error)) + "\n";
   }
   return csv;
 }

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "perilymph/analysis/CsvField.h"
+#include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/FieldMeaning.h"
 
 namespace perilymph::analysis {

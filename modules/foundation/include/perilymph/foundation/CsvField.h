@@ -8,7 +8,7 @@
 
 #include "perilymph/foundation/Utf8.h"
 
-namespace perilymph::analysis {
+namespace perilymph {
 
 /// A text in quotation marks, as a field of a CSV file (RFC 4180). Invalid UTF-8 bytes are replaced
 /// by U+FFFD.
@@ -30,4 +30,4 @@ inline std::string csvField(const std::string& text)
   return needsQuotes ? csvQuoted(text) : validUtf8(text);
 }
 
-}  // namespace perilymph::analysis
+}  // namespace perilymph

@@ -163,6 +163,13 @@ struct CtContactsOptions {
 };
 Result<void> ctContacts(const CtContactsOptions& options);
 
+struct CtMarkupsOptions {
+  std::string patient;  ///< A patient's file, whose record is beside it.
+  std::string series;   ///< SHA-256 of the series, or its beginning; empty for the only one.
+  std::string json, csv, markups;
+};
+Result<void> ctMarkups(const CtMarkupsOptions& options);
+
 struct CtExportOptions {
   std::string path, series, out;
 };
@@ -226,6 +233,7 @@ struct CommandOptions {
   CtInfoOptions ctInfo;
   CtMeasureOptions ctMeasure;
   CtContactsOptions ctContacts;
+  CtMarkupsOptions ctMarkups;
   CtExportOptions ctExport;
   ArchiveOptions archive;
   StudyOptions study;

@@ -131,6 +131,27 @@ void addContacts(CLI::App& ct, FileOptions& files, CtContactsOptions& options)
   command.footer(flagsText(outcome::allFlags()));
 }
 
+void addMarkups(CLI::App& ct, FileOptions& files, CtMarkupsOptions& options)
+{
+  CLI::App& command = *ct.add_subcommand(
+      "markups",
+      "Write distances, angles, notes and structures that were marked in a patient's CT");
+  files.reads(
+      command
+          .add_option("patient", options.patient,
+                      "A patient's file (.toml); what was marked is in the record beside it")
+          ->required());
+  command.add_option("--series", options.series,
+                     "SHA-256 of the CT series or its beginning (default: the only one)");
+  files.writes(command.add_option("--json", options.json,
+                                  "Write points in LPS and values with their errors (JSON)"));
+  files.writes(command.add_option(
+      "--csv", options.csv,
+      "Write a row for each point, and what its columns mean beside it (-dictionary.csv)"));
+  files.writes(command.add_option("--markups", options.markups,
+                                  "Write them for 3D Slicer, LPS (.mrk.json)"));
+}
+
 void addExport(CLI::App& ct, FileOptions& files, CtExportOptions& options)
 {
   CLI::App& command =
@@ -151,6 +172,7 @@ void addCt(CLI::App& app, FileOptions& files, CommandOptions& options)
   addInfo(ct, files, options.ctInfo);
   addMeasure(ct, files, options.ctMeasure);
   addContacts(ct, files, options.ctContacts);
+  addMarkups(ct, files, options.ctMarkups);
   addExport(ct, files, options.ctExport);
 }
 
@@ -158,6 +180,7 @@ Result<void> runCt(const CLI::App& ct, const CommandOptions& options)
 {
   if (ct.got_subcommand("info")) return ctInfo(options.ctInfo);
   if (ct.got_subcommand("contacts")) return ctContacts(options.ctContacts);
+  if (ct.got_subcommand("markups")) return ctMarkups(options.ctMarkups);
   if (ct.got_subcommand("export")) return ctExport(options.ctExport);
   return ctMeasure(options.ctMeasure);
 }

@@ -12,7 +12,7 @@ namespace perilymph::cli {
 class FileOptions;
 struct CommandOptions;
 
-/// Declares `ct info`, `ct measure`, `ct contacts` and `ct export`.
+/// Declares `ct info`, `ct measure`, `ct contacts`, `ct markups` and `ct export`.
 void addCt(CLI::App& app, FileOptions& files, CommandOptions& options);
 /// Runs the one that was given.
 Result<void> runCt(const CLI::App& ct, const CommandOptions& options);

@@ -4734,6 +4734,10 @@
         <source>%1 states in &quot;%2&quot; of a markup what this program does not know. Restore it from a backup, or remove the markup.</source>
         <translation>%1 gibt in „%2“ einer Markierung etwas an, das dieses Programm nicht kennt. Stellen Sie die Datei aus einer Sicherung wieder her oder entfernen Sie die Markierung.</translation>
     </message>
+    <message>
+        <source>%1 is no Slicer markups file with lines, angles, points or curves in LPS or RAS. Save them in Slicer as Markups JSON (.mrk.json).</source>
+        <translation>%1 ist keine Markups-Datei von Slicer mit Linien, Winkeln, Punkten oder Kurven in LPS oder RAS. Speichern Sie sie in Slicer als Markups JSON (.mrk.json).</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

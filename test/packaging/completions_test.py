@@ -78,7 +78,7 @@ class Completions(unittest.TestCase):
 
     def test_commands_come_first(self):
         self.assertEqual(self.complete("perilymph-cli "), set(commands_below()))
-        self.assertEqual(self.complete("perilymph-cli ct "), {"contacts", "export", "info", "measure"})
+        self.assertEqual(self.complete("perilymph-cli ct "), {"contacts", "export", "info", "markups", "measure"})
         self.assertEqual(self.complete("perilymph-cli ct me"), {"measure"})
 
     def test_options_are_those_of_the_command(self):

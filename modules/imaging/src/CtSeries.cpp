@@ -12,6 +12,7 @@
 #include "dicom/DicomSeries.h"
 #include "dicom/DicomVoxels.h"
 #include "dicom/Thumbnail.h"
+#include "statements/Warnings.h"
 #include "volume/VolumeFile.h"
 
 namespace perilymph::imaging {
@@ -132,6 +133,13 @@ Error tooLarge(const fs::path& path)
 }
 
 }  // namespace
+
+Sentence grayValueNote(const CtSeries& series)
+{
+  for (const Sentence& warning : series.warnings)
+    if (warning.phrase() == warnings::grayValues.english()) return warning;
+  return {};
+}
 
 Result<CtSeriesList> findSeries(const fs::path& path, const ReadingHooks& hooks)
 {

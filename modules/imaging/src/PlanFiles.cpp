@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/imaging/PlanFiles.h"
 
-#include "SeriesNote.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "MarkupsJson.h"
 #include "perilymph/foundation/AtomicFile.h"
 
 namespace perilymph::imaging {
@@ -19,28 +18,7 @@ namespace perilymph::imaging {
 namespace {
 
 using Json = nlohmann::json;
-using Points = std::vector<std::pair<std::string, Eigen::Vector3d>>;
-
-constexpr const char* schema =
-    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
-    "Schema/markups-schema-v1.0.3.json#";
-
-Json markup(const char* type, const char* name, const std::string& series, const Points& points)
-{
-  const std::string description = series.empty() ? "" : seriesNote + series;
-  Json controls = Json::array();
-  for (const auto& [label, point] : points)
-    controls.push_back({{"id", std::to_string(controls.size() + 1)},
-                        {"label", label},
-                        {"description", description},
-                        {"position", {point.x(), point.y(), point.z()}},
-                        {"positionStatus", "defined"}});
-  return {{"type", type},
-          {"name", name},
-          {"coordinateSystem", "LPS"},
-          {"coordinateUnits", "mm"},
-          {"controlPoints", controls}};
-}
+using Points = LabeledPoints;
 
 Points numbered(const char* prefix, const std::vector<Eigen::Vector3d>& points)
 {
@@ -90,15 +68,16 @@ std::string planText(const PlanMarkups& plan)
     if (const auto& point = plan.marks.points_P[k])
       landmarks.emplace_back(ct::nameOf(static_cast<ct::Mark>(k)), *point);
   if (!landmarks.empty())
-    markups.push_back(markup("Fiducial", "landmarks", plan.seriesKey, landmarks));
-  if (plan.axis) markups.push_back(markup("Line", "axis", plan.seriesKey, ends(*plan.axis)));
+    markups.push_back(markupJson("Fiducial", "landmarks", plan.seriesKey, landmarks));
+  if (plan.axis) markups.push_back(markupJson("Line", "axis", plan.seriesKey, ends(*plan.axis)));
   if (plan.insertionLine)
-    markups.push_back(markup("Line", "insertion", plan.seriesKey, ends(*plan.insertionLine)));
+    markups.push_back(markupJson("Line", "insertion", plan.seriesKey, ends(*plan.insertionLine)));
   if (!plan.array.empty())
-    markups.push_back(markup("Curve", "array", plan.seriesKey, numbered("", plan.array)));
+    markups.push_back(markupJson("Curve", "array", plan.seriesKey, numbered("", plan.array)));
   if (!plan.contacts.empty())
-    markups.push_back(markup("Fiducial", "contacts", plan.seriesKey, numbered("E", plan.contacts)));
-  return Json{{"@schema", schema}, {"markups", markups}}.dump(2) + "\n";
+    markups.push_back(
+        markupJson("Fiducial", "contacts", plan.seriesKey, numbered("E", plan.contacts)));
+  return markupsText(markups);
 }
 
 Result<void> writeGltf(const anatomy::Surface& surface, const std::string& title,

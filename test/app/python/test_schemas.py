@@ -157,6 +157,33 @@ def test_measures_of_a_ct_are_as_their_schema_says(cli, tmp_path):
     assert faults({"ears": [value]}, schema, schema) != []
 
 
+@pytest.mark.skipif(not PHANTOM.exists(), reason="this build has no VTK and cannot write markups")
+def test_markups_of_a_patient_are_as_their_schema_says(cli, tmp_path):
+    (tmp_path / "P-017-left.toml").write_text('label = "P-017"\nside = "left"\na_mm = 9.1\nb_mm = 6.7\n')
+    key = "a" * 64
+    items = [{"kind": "distance", "lps_mm": [[1, 2, 3], [4, 6, 15]], "text": ""},
+             {"kind": "angle", "lps_mm": [[5, 0, 0], [0, 0, 0], [0, 2, 0]], "text": ""},
+             {"kind": "note", "lps_mm": [[-1.5, 2, 3]], "text": "hoher Bulbus"},
+             {"kind": "facial_nerve", "lps_mm": [[1, 2, 3], [1, 2, 4]], "text": ""}]
+    record = {"format": 3, "tags": [], "notes": "", "archived": False, "changed_by_hand": False, "scans": [], "versions": [],
+              "plans": [], "insertions": [], "outcomes": [],
+              "markups": [{"series_sha256": key, "coordinate_system": "LPS", "voxel_edges_mm": [[0.3, 0, 0], [0, 0.3, 0], [0, 0, 0.3]],
+                           "items": items}]}
+    (tmp_path / "P-017-left.json").write_text(json.dumps(record))
+    cli("ct", "markups", tmp_path / "P-017-left.toml", "--json", tmp_path / "m.json", "--csv", tmp_path / "m.csv",
+        "--markups", tmp_path / "m.mrk.json")
+    found = json.loads((tmp_path / "m.json").read_text())
+    check("ct-markups", found)
+    assert [{each: item[each] for each in ("kind", "lps_mm", "text")} for item in found["markups"]] == items
+    assert abs(found["markups"][0]["value"] - 13) < 1e-12 and abs(found["markups"][1]["value"] - 90) < 1e-12
+    low, high = found["markups"][0]["ci95"]
+    assert abs(high - low - 2 * 1.96 * 0.3 / 6**0.5) < 1e-12
+    assert len((tmp_path / "m.csv").read_text().splitlines()) == 1 + 2 + 3 + 1 + 2
+    lists = json.loads((tmp_path / "m.mrk.json").read_text())["markups"]
+    assert [each["type"] for each in lists] == ["Line", "Angle", "Fiducial", "Curve"]
+    cli("ct", "markups", tmp_path / "P-017-left.toml", "--series", "aaaa")
+
+
 @pytest.mark.skipif(not PHANTOM.exists(), reason="this build has no VTK and cannot read a CT")
 def test_contacts_in_a_ct_are_as_their_schema_says_and_where_the_phantom_has_them(cli, tmp_path):
     subprocess.run([PHANTOM, "implanted", "203", "flex24", tmp_path / "ear", "clinical"], check=True, capture_output=True)

@@ -271,8 +271,8 @@ std::string referencePage()
       "has a table of its own.\n\n";
   for (const char* name :
        {"simulate", "anatomy", "anatomy-import", "plan", "outcomes", "clinic-resistance",
-        "ct-measure", "ct-contacts", "ct-info", "prediction", "clinical-table", "validation",
-        "prior-predictive", "devices", "archive"})
+        "ct-measure", "ct-contacts", "ct-markups", "ct-info", "prediction", "clinical-table",
+        "validation", "prior-predictive", "devices", "archive"})
     page += schemaKeys(name);
   page.pop_back();
   return page;

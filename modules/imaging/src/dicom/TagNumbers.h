@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "perilymph/foundation/Sentence.h"
+
 namespace perilymph::imaging {
 
 /// A decimal number as DICOM writes it (PS3.5, DS and IS): an optional sign, digits, a point, an exponent, blanks

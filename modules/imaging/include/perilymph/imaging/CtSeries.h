@@ -45,6 +45,9 @@ struct CtSeries {
   double score = 0.0;              ///< How well it suits the measurement of a cochlea, 0 to 100.
 };
 
+/// Why the values of a series are no Hounsfield units, one of its warnings; empty where its files state no reason.
+Sentence grayValueNote(const CtSeries& series);
+
 struct ListedFiles;
 
 struct CtSeriesList {

@@ -4735,6 +4735,14 @@
         <translation>%1 gibt in „%2“ einer Markierung etwas an, das dieses Programm nicht kennt. Stellen Sie die Datei aus einer Sicherung wieder her oder entfernen Sie die Markierung.</translation>
     </message>
     <message>
+        <source>The CT has no series that a key image could be kept with. Open it from its files.</source>
+        <translation>Das CT hat keine Serie, zu der ein Schlüsselbild behalten werden könnte. Öffnen Sie es aus seinen Dateien.</translation>
+    </message>
+    <message>
+        <source>The CT has %1 key images; no more are kept. Remove one.</source>
+        <translation>Das CT hat %1 Schlüsselbilder; mehr werden nicht behalten. Entfernen Sie eines.</translation>
+    </message>
+    <message>
         <source>%1 is no Slicer markups file with lines, angles, points or curves in LPS or RAS. Save them in Slicer as Markups JSON (.mrk.json).</source>
         <translation>%1 ist keine Markups-Datei von Slicer mit Linien, Winkeln, Punkten oder Kurven in LPS oder RAS. Speichern Sie sie in Slicer als Markups JSON (.mrk.json).</translation>
     </message>
@@ -8248,6 +8256,102 @@
         <source>turn the cut to the viewer</source>
         <translation>Schnitt zum Betrachter drehen</translation>
     </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Facial nerve</source>
+        <translation>N. facialis</translation>
+    </message>
+    <message>
+        <source>Chorda tympani</source>
+        <translation>Chorda tympani</translation>
+    </message>
+    <message>
+        <source>Canal wall</source>
+        <translation>Gehörgangswand</translation>
+    </message>
+    <message>
+        <source>%1 ± %2°</source>
+        <translation>%1 ± %2°</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>LPS %1 mm</source>
+        <translation>LPS %1 mm</translation>
+    </message>
+    <message>
+        <source>outside the CT</source>
+        <translation>außerhalb des CT</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1, unit not stated</source>
+        <translation>%1, Einheit nicht angegeben</translation>
+    </message>
+    <message>
+        <source>%1 HU</source>
+        <translation>%1 HE</translation>
+    </message>
+    <message>
+        <source>%1, gray value, not HU</source>
+        <translation>%1, Grauwert, keine HE</translation>
+    </message>
+    <message>
+        <source>single layer, voxels %1 mm</source>
+        <translation>einzelne Schicht, Voxel %1 mm</translation>
+    </message>
+    <message>
+        <source>slab %1 mm, mean</source>
+        <translation>Schicht %1 mm, Mittelwert</translation>
+    </message>
+    <message>
+        <source>slab %1 mm, maximum</source>
+        <translation>Schicht %1 mm, Maximum</translation>
+    </message>
+    <message>
+        <source>%1 · through LPS %2 mm · %3 · level %4, width %5</source>
+        <translation>%1 · durch LPS %2 mm · %3 · Fenster %4, Breite %5</translation>
+    </message>
+    <message>
+        <source>Key images of the CT</source>
+        <translation>Schlüsselbilder des CT</translation>
+    </message>
+    <message>
+        <source>Key image %1</source>
+        <translation>Schlüsselbild %1</translation>
+    </message>
+    <message>
+        <source>D, A, N; Return; Esc</source>
+        <translation>D, A, N; Eingabe; Esc</translation>
+    </message>
+    <message>
+        <source>distance, angle, note; next point at the crosshair; end the tool</source>
+        <translation>Abstand, Winkel, Notiz; nächster Punkt am Fadenkreuz; Werkzeug beenden</translation>
+    </message>
+    <message>
+        <source>Del; Ctrl+Z, Ctrl+Shift+Z; K</source>
+        <translation>Entf; Strg+Z, Strg+Umschalt+Z; K</translation>
+    </message>
+    <message>
+        <source>remove the chosen markup; undo, redo; keep a key image for the report</source>
+        <translation>gewählte Markierung entfernen; rückgängig, wiederholen; Schlüsselbild für den Bericht behalten</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -9056,6 +9160,34 @@
     <message>
         <source>%1 The CT shown is the one that was open before.</source>
         <translation>%1 Das gezeigte CT ist das zuvor geöffnete.</translation>
+    </message>
+    <message>
+        <source>Kept with the patient by a plan or an insertion</source>
+        <translation>Wird mit einem Plan oder einer Insertion beim Patienten behalten</translation>
+    </message>
+    <message>
+        <source>Kept with %1</source>
+        <translation>Behalten bei %1</translation>
+    </message>
+    <message>
+        <source>Bone and measured cochlea, 3D</source>
+        <translation>Knochen und gemessene Cochlea, 3D</translation>
+    </message>
+    <message>
+        <source>Key image %1 goes into the reports of this CT’s patient.</source>
+        <translation>Schlüsselbild %1 kommt in die Berichte des Patienten dieses CT.</translation>
+    </message>
+    <message>
+        <source>Caption of the key image, Return keeps it, Esc drops it</source>
+        <translation>Bildunterschrift; Eingabe behält, Esc verwirft</translation>
+    </message>
+    <message>
+        <source>Markups</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>%1 markups were loaded.</source>
+        <translation>%1 Markierungen wurden geladen.</translation>
     </message>
 </context>
 <context>
@@ -10139,6 +10271,61 @@ verwenden</translation>
     <message>
         <source>Change it anyway</source>
         <translation>Trotzdem ändern</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::MarkupBar</name>
+    <message>
+        <source>Key image</source>
+        <translation>Schlüsselbild</translation>
+    </message>
+    <message>
+        <source>Click two points in any plane (D). Esc ends.</source>
+        <translation>Zwei Punkte in beliebigen Ebenen anklicken (D). Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Click a side, the vertex and the other side in any plane (A). Esc ends.</source>
+        <translation>Einen Schenkel, den Scheitel und den anderen Schenkel in beliebigen Ebenen anklicken (A). Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Click a point and type the note (N). Esc ends.</source>
+        <translation>Einen Punkt anklicken und die Notiz eingeben (N). Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Markups (%1)</source>
+        <translation>Markierungen (%1)</translation>
+    </message>
+    <message>
+        <source>In the report (%1)</source>
+        <translation>Im Bericht (%1)</translation>
+    </message>
+    <message>
+        <source>Remove the chosen one (Del)</source>
+        <translation>Gewählte entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z)</source>
+        <translation>Rückgängig (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>Export for 3D Slicer (LPS)…</source>
+        <translation>Für 3D Slicer exportieren (LPS) …</translation>
+    </message>
+    <message>
+        <source>Export as a table (CSV, LPS)…</source>
+        <translation>Als Tabelle exportieren (CSV, LPS) …</translation>
+    </message>
+    <message>
+        <source>Load from 3D Slicer…</source>
+        <translation>Aus 3D Slicer laden …</translation>
+    </message>
+    <message>
+        <source>Remove from the report</source>
+        <translation>Aus dem Bericht entfernen</translation>
+    </message>
+    <message>
+        <source>Keep the picture that was clicked last with its markups for the reports (K: the one under the mouse)</source>
+        <translation>Das zuletzt angeklickte Bild mit seinen Markierungen für die Berichte behalten (K: das unter der Maus)</translation>
     </message>
 </context>
 <context>
@@ -11885,6 +12072,25 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Bone and landmarks</source>
         <translation>Knochen und Landmarken</translation>
+    </message>
+</context>
+<context>
+    <name>perilymph::gui::PlaneView</name>
+    <message>
+        <source>Text of the note</source>
+        <translation>Text der Notiz</translation>
+    </message>
+    <message>
+        <source>Text of the markup</source>
+        <translation>Text der Markierung</translation>
+    </message>
+    <message>
+        <source>%1. Drag its points; Del removes it; a double click writes its text. ± is the 95 % interval of placing points to voxels.</source>
+        <translation>%1. Die Punkte ziehen; Entf entfernt; ein Doppelklick beschriftet. ± ist das 95-%-Intervall dafür, dass die Punkte auf Voxel gesetzt sind.</translation>
+    </message>
+    <message>
+        <source>This place is outside the CT. Click into the picture.</source>
+        <translation>Diese Stelle liegt außerhalb des CT. Klicken Sie in das Bild.</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "gui/report/CtPicture.h"
+#include "gui/report/KeyImagePages.h"
 #include "gui/report/ReportHeader.h"
 #include "gui/report/ReportPages.h"
 #include "gui/report/ReportRecord.h"
@@ -39,6 +40,7 @@ Result<void> writeReport(const ReportContent& content, const std::filesystem::pa
   pages.paintRecord = [&](ReportSheet& sheet, const ReportIssuer& issuer, const ReportArea& area) {
     paintRecord(sheet, content, issuer, references, area);
   };
+  addKeyImagePages(pages, content.identity().seriesKey);
   pages.appendix = [&] { return appendixText(content, references); };
   pages.images = {{QStringLiteral("ct"), ctPictureOf(content.patient())}};
   return writeReportPages(pages, file);

@@ -5,6 +5,7 @@
 #include <QDateTime>
 
 #include "gui/report/CtPicture.h"
+#include "gui/report/KeyImagePages.h"
 #include "gui/report/PlanAppendix.h"
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanInfluences.h"
@@ -39,6 +40,7 @@ Result<void> writePlanReport(const PlanReportContent& content, const std::filesy
     pages.figures.push_back([&content, page](ReportSheet& sheet, const ReportArea& area) {
       paintPlanInfluences(sheet, content, page, area);
     });
+  addKeyImagePages(pages, content.identity().seriesKey);
   pages.appendix = [&] { return planAppendixText(content, references); };
   pages.images = {{QStringLiteral("ct"), ctPictureOf(content.plan().request.patient)}};
   return writeReportPages(pages, file);

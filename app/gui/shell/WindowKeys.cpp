@@ -96,6 +96,10 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
   keys.add(Gesture{ct, tr("Click; drag a landmark"), tr("move the crosshair; move the landmark")});
   keys.add(Gesture{ct, tr("Wheel, Up, Down; Ctrl+wheel, +, -"), tr("layers; zoom")});
   keys.add(Gesture{ct, tr("Right drag; middle or Shift+drag"), tr("brightness and contrast; pan")});
+  keys.add(Gesture{ct, tr("D, A, N; Return; Esc"),
+                   tr("distance, angle, note; next point at the crosshair; end the tool")});
+  keys.add(Gesture{ct, tr("Del; Ctrl+Z, Ctrl+Shift+Z; K"),
+                   tr("remove the chosen markup; undo, redo; keep a key image for the report")});
   addPageKeys(keys, window);
   qApp->installEventFilter(new AltKeys(keys, window));
   keys.add({section,

@@ -4,8 +4,11 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QStackedLayout>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "gui/archive/ArchiveView.h"
@@ -14,11 +17,14 @@
 #include "gui/pages/ct/CtParts.h"
 #include "gui/pages/ct/CtSeriesList.h"
 #include "gui/pages/ct/CtSource.h"
+#include "gui/pages/ct/CtText.h"
 #include "gui/pages/ct/InsertedArray.h"
+#include "gui/pages/ct/MarkupBar.h"
 #include "gui/pages/ct/MeasuredSetup.h"
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/RecentScans.h"
 #include "gui/pages/ct/SurfaceView.h"
+#include "gui/setup/CtKeyImages.h"
 #include "gui/setup/KeyImage.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/ScanFolders.h"
@@ -30,6 +36,7 @@
 #include "perilymph/anatomy/Surface.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/imaging/Landmarks.h"
+#include "perilymph/imaging/MarkupFiles.h"
 #include "perilymph/imaging/MeasuredPatient.h"
 #include "perilymph/imaging/MeasuredPicture.h"
 #include "perilymph/imaging/MeasuredSurface.h"
@@ -65,12 +72,17 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
       panel_(new CtPanel(study_, this)),
       stages_(new QStackedLayout),
       pictures_(new QWidget(this)),
+      markupBar_(new MarkupBar(study_, pictures_)),
       archive_(new ArchiveView(this)),
       surface_(new SurfaceView(study_, bone_, pictures_))
 {
-  auto* grid = new QGridLayout(pictures_);
-  grid->setContentsMargins(0, 0, 0, 0);
+  auto* grid = new QGridLayout;
   grid->setSpacing(1);
+  auto* column = new QVBoxLayout(pictures_);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(markupBar_);
+  column->addLayout(grid, 1);
   for (std::size_t k = 0; k < views_.size(); ++k) {
     views_[k] = new PlaneView(study_, k, pictures_);
     connect(views_[k], &PlaneView::maximizeRequested, this, [this, k] { maximize(views_[k]); });
@@ -78,6 +90,9 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
       for (PlaneView* view : views_) view->setPlaced({});
       panel_->showMark({});
     });
+    connect(views_[k], &PlaneView::chosen, this, [this, k] { active_ = views_[k]; });
+    connect(views_[k], &PlaneView::refused, this,
+            [this](const QString& sentence) { panel_->showIdle(sentence, true); });
   }
   grid->addWidget(views_[0], 0, 0);
   grid->addWidget(views_[1], 0, 1);
@@ -109,7 +124,10 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   connectWork();
   connectPanel();
   connectArchive();
+  connectMarkups();
 }
+
+CtPage::~CtPage() { keepMarkups(); }
 
 Page::Acceptance CtPage::accepts(const std::filesystem::path& file) const
 {
@@ -168,6 +186,7 @@ void CtPage::showNotes()
 
 void CtPage::leaveScan()
 {
+  keepMarkups();
   study_.clear();
   notes_.clear();
   if (codeOf_.empty() || panel_->code().isEmpty()) return;
@@ -187,7 +206,9 @@ void CtPage::showCt(imaging::LoadedCt&& loaded)
   QStringList notes;
   for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
   notes_ = notes.join(QLatin1Char('\n'));
+  keepMarkups();
   study_.setCt(std::move(loaded));
+  showKeptMarkups();
   rememberScan(study_.series().key, list_.path);
   const std::string& key = study_.series().key;
   if (!request.code.isEmpty())
@@ -245,6 +266,7 @@ void CtPage::connectPanel()
           [this](bool isAtCrosshair) { measure(isAtCrosshair); });
   connect(panel_, &CtPanel::cancelRequested, &work_, &CtWork::cancel);
   connect(panel_, &CtPanel::markRequested, this, [this](ct::Mark mark) {
+    study_.setTool({});
     const auto& point = study_.marks()[mark];
     if (point) study_.moveCrosshair(*point);
     for (PlaneView* view : views_) view->setPlaced(mark);
@@ -261,6 +283,12 @@ void CtPage::connectPanel()
   connect(panel_, &CtPanel::sendRequested, this, [this] { withFreshMeasures([this] { send(); }); });
   connect(panel_, &CtPanel::saveMarksRequested, this, &CtPage::saveMarks);
   connect(panel_, &CtPanel::loadMarksRequested, this, &CtPage::loadMarks);
+}
+
+bool CtPage::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == surface_ && event->type() == QEvent::FocusIn) active_ = surface_;
+  return Page::eventFilter(watched, event);
 }
 
 void CtPage::connectArchive()
@@ -324,6 +352,12 @@ bool CtPage::cancel()
 {
   if (stages_->currentWidget() == archive_) {
     if (!archive_->cancel()) showArchive(false);
+    return true;
+  }
+  for (PlaneView* view : views_)
+    if (view->cancelText()) return true;
+  if (study_.tool()) {
+    study_.setTool({});
     return true;
   }
   if (!work_.isBusy()) return false;
@@ -398,6 +432,8 @@ void CtPage::insert(const QString& code)
   if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
   patient_ = imaging::measuredPatient(*study_.measures());
   patient_->label = setup->scenario.patient().label;
+  markupFile_ = libraryFileOf(*patient_);
+  keepMarkups();
   keepKeyImage();
   Q_EMIT insertionRequested({*setup});
 }
@@ -407,6 +443,8 @@ void CtPage::plan(const QString& code)
   const auto patient = patientOfMeasures(*study_.measures(), code, study_.former().get());
   if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
   patient_ = *patient;
+  markupFile_ = libraryFileOf(*patient_);
+  keepMarkups();
   keepKeyImage();
   Q_EMIT planRequested(*patient);
 }
@@ -484,6 +522,187 @@ std::optional<std::filesystem::path> CtPage::placeOf(const std::string& seriesKe
 void CtPage::send()
 {
   (new SendDialog(ctParts(study_), placeOf(study_.series().key), this))->open();
+}
+
+void CtPage::connectMarkups()
+{
+  constexpr int pause_ms = 500;  // a drag changes them with every motion of the mouse
+  keeping_.setSingleShot(true);
+  keeping_.setInterval(pause_ms);
+  connect(&keeping_, &QTimer::timeout, this, &CtPage::keepMarkups);
+  connect(&study_, &CtStudy::markupsChanged, this, [this] {
+    if (!isShowingKept_ && study_.hasCt()) keeping_.start();
+  });
+  surface_->installEventFilter(this);  // what is looked at last is kept as a key image
+  connect(markupBar_, &MarkupBar::keyImageRequested, this, &CtPage::takeKeyImage);
+  connect(markupBar_, &MarkupBar::keyImageRemoved, this, [this](const std::filesystem::path& file) {
+    removeCtKeyImage(file);
+    markupBar_->showKeyImages(ctKeyImages(study_.series().key));
+  });
+  connect(markupBar_, &MarkupBar::slicerRequested, this, [this] { saveMarkups(false); });
+  connect(markupBar_, &MarkupBar::tableRequested, this, [this] { saveMarkups(true); });
+  connect(markupBar_, &MarkupBar::loadRequested, this, &CtPage::loadMarkups);
+}
+
+void CtPage::toggleTool(ct::MarkupKind tool)
+{
+  for (PlaneView* view : views_) view->setPlaced({});
+  panel_->showMark({});
+  study_.setTool(study_.tool() == tool ? std::nullopt : std::optional(tool));
+}
+
+bool CtPage::takeKey(const QKeyEvent& event)
+{
+  if (!study_.hasCt() || stages_->currentWidget() != pictures_) return false;
+  if (event.matches(QKeySequence::Undo)) return study_.undo(), true;
+  if (event.matches(QKeySequence::Redo)) return study_.redo(), true;
+  if ((event.modifiers() & ~Qt::KeypadModifier) != 0) return false;
+  auto* plane = qobject_cast<PlaneView*>(active_);
+  switch (event.key()) {
+    case Qt::Key_D:
+      toggleTool(ct::MarkupKind::distance);
+      return true;
+    case Qt::Key_A:
+      toggleTool(ct::MarkupKind::angle);
+      return true;
+    case Qt::Key_N:
+      toggleTool(ct::MarkupKind::note);
+      return true;
+    case Qt::Key_K:
+      for (QWidget* view : {static_cast<QWidget*>(views_[0]), static_cast<QWidget*>(views_[1]),
+                            static_cast<QWidget*>(views_[2]), static_cast<QWidget*>(surface_)})
+        if (view->isVisible() && view->underMouse()) active_ = view;
+      takeKeyImage();
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (!study_.tool()) return false;
+      (plane ? plane : views_[0])->placeToolPoint(study_.crosshair_P());
+      return true;
+    case Qt::Key_Delete:
+      if (!study_.chosenMarkup()) return false;
+      study_.removeMarkup(*study_.chosenMarkup());
+      return true;
+    default:
+      return false;
+  }
+}
+
+void CtPage::showKeptMarkups()
+{
+  const std::string& key = study_.series().key;
+  markupFile_.clear();
+  std::vector<ct::Markup> kept;
+  for (const SavedPatient& each : savedPatients()) {
+    const ct::CtMarkups* found = session::markupsOf(each.record, key);
+    if (found == nullptr) continue;
+    kept = found->markups;
+    markupFile_ = each.file;
+    break;  // the patient who was used last
+  }
+  if (markupFile_.empty())
+    if (const auto found = markupsOfSeries_.find(key); found != markupsOfSeries_.end())
+      kept = found->second;
+  isShowingKept_ = true;
+  study_.showMarkups(std::move(kept));
+  isShowingKept_ = false;
+  markupBar_->showKeyImages(ctKeyImages(key));
+  showKeeping();
+}
+
+void CtPage::showKeeping()
+{
+  markupBar_->showKeeping(
+      markupFile_.empty()
+          ? tr("Kept with the patient by a plan or an insertion")
+          : tr("Kept with %1").arg(QString::fromStdString(markupFile_.stem().string())));
+}
+
+void CtPage::keepMarkups()
+{
+  keeping_.stop();
+  if (!study_.hasCt()) return;
+  const ct::CtMarkups markups = study_.ctMarkups();
+  markupsOfSeries_[markups.seriesKey] = markups.markups;
+  if (markupFile_.empty()) return;
+  const auto before = session::loadPatientRecord(markupFile_);
+  const ct::CtMarkups* known = before ? session::markupsOf(*before, markups.seriesKey) : nullptr;
+  const bool isKept = known != nullptr ? *known == markups : markups.markups.empty();
+  if (isKept && before) return showKeeping();
+  const auto kept = session::changePatientRecord(
+      markupFile_, [&](session::PatientRecord& record) { session::setMarkups(record, markups); });
+  if (!kept) panel_->showIdle(dataText(kept.error().message), true);
+  showKeeping();
+}
+
+void CtPage::takeKeyImage()
+{
+  if (!study_.hasCt()) return;
+  auto* plane = qobject_cast<PlaneView*>(active_);
+  const bool isBone = active_ == surface_;
+  if (plane == nullptr || !plane->isVisible()) plane = views_[0];
+  constexpr double ratio = 2.0;  // type of the overlay 2.6 mm high on paper
+  const QSize size(keyImageWidth_px, keyImageHeight_px);
+  QImage picture;
+  QString place;
+  if (isBone) {
+    const QImage seen =
+        surface_->grab().toImage().scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    picture = QImage(size, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    QPainter painter(&picture);
+    painter.drawImage((size.width() - seen.width()) / 2, (size.height() - seen.height()) / 2, seen);
+    place = tr("Bone and measured cochlea, 3D");
+  } else {
+    picture = plane->pictureOf(size, ratio);
+    const auto index = std::size_t(std::ranges::find(views_, plane) - views_.begin());
+    place = planePlaceText(study_, index);
+  }
+  const std::string key = study_.series().key;
+  PlaneView* asks = isBone && !views_[0]->isVisible() ? nullptr : plane;
+  const auto keep = [this, key, picture, place](const QString& caption) {
+    const auto kept = keepCtKeyImage(key, picture, caption, place);
+    if (!kept) return panel_->showIdle(dataText(kept.error().message), true);
+    const auto images = ctKeyImages(study_.series().key);
+    markupBar_->showKeyImages(images);
+    panel_->showIdle(
+        tr("Key image %1 goes into the reports of this CT’s patient.").arg(images.size()));
+  };
+  if (asks == nullptr) return keep({});
+  asks->askText(tr("Caption of the key image, Return keeps it, Esc drops it"), {},
+                QPointF(0.0, asks->height()), keep);
+}
+
+void CtPage::saveMarkups(bool isTable)
+{
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Markups"),
+      isTable ? QStringLiteral("markups.csv") : QStringLiteral("markups.mrk.json"),
+      isTable ? QStringLiteral("*.csv") : QStringLiteral("*.mrk.json"));
+  if (file.isEmpty()) return;
+  const ct::CtMarkups markups = study_.ctMarkups();
+  const std::filesystem::path path = file.toStdString();
+  auto done =
+      writeWhole(path, isTable ? imaging::markupsCsv(markups) : imaging::slicerMarkups(markups),
+                 {Links::followed, Audience::owner});
+  if (done && isTable) {
+    std::filesystem::path dictionary = path;
+    dictionary.replace_filename(path.stem().string() + "-dictionary.csv");
+    done = writeWhole(dictionary, imaging::markupsDictionaryCsv());
+  }
+  showDone(done, file);
+}
+
+void CtPage::loadMarkups()
+{
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Markups"), {}, QStringLiteral("*.mrk.json *.json"));
+  if (file.isEmpty()) return;
+  const auto markups = imaging::readMarkups(file.toStdString(), study_.series().key);
+  if (!markups) return panel_->showIdle(dataText(markups.error().message), true);
+  const auto added = study_.addMarkups(*markups);
+  if (!added) return panel_->showIdle(dataText(added.error().message), true);
+  panel_->showIdle(tr("%1 markups were loaded.").arg(markups->size()));
 }
 
 void CtPage::saveMarks()

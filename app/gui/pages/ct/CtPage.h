@@ -4,9 +4,11 @@
 // The page CT: from the patient's scan to the patient's cochlea.
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -24,6 +26,7 @@ namespace perilymph::gui {
 
 class ArchiveView;
 class CtPanel;
+class MarkupBar;
 class PlaneView;
 class SurfaceView;
 
@@ -33,6 +36,7 @@ class CtPage : public Page {
 public:
   /// @param control  The insertion, shown in the pictures if it is in the cochlea measured here.
   CtPage(const InsertionControl& control, QWidget* parent);
+  ~CtPage() override;  ///< Keeps what was marked.
 
   /// Opens a folder or a file with a CT; the series that suits a cochlea best is read, and its cochlea
   /// is measured. Esc ends that; the CT stays.
@@ -45,8 +49,13 @@ public:
   void begin(const CtRequest& request);
   bool isBusy() const override;
   bool cancel() override;
+  /// D, A, N choose a tool, Return places its next point at the crosshair, K keeps a key image, Del removes the chosen
+  /// markup, Ctrl+Z undoes.
+  bool takeKey(const QKeyEvent& event) override;
   /// Shows the array where it is now.
   void onShown() override;
+  /// Keeps what was marked.
+  void onHidden() override { keepMarkups(); }
 
   /// The CT and the cochlea in it, if that is the scenario's.
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
@@ -77,6 +86,7 @@ Q_SIGNALS:
 
 protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
   bool isInMeasuredCochlea(const session::Scenario& scenario) const;
@@ -114,6 +124,17 @@ private:
   void send();
   void saveMarks();
   void loadMarks();
+  void connectMarkups();
+  void toggleTool(ct::MarkupKind tool);
+  /// Shows the markups that are kept of the CT: with a patient, or since the program was started.
+  void showKeptMarkups();
+  /// Keeps them with the patient, if there is one.
+  void keepMarkups();
+  void showKeeping();
+  /// Keeps the picture of the active view for the reports.
+  void takeKeyImage();
+  void saveMarkups(bool isTable);
+  void loadMarkups();
   void showDone(const Result<void>& done, const QString& file);
 
   const InsertionControl& control_;
@@ -138,9 +159,17 @@ private:
   CtPanel* panel_;
   QStackedLayout* stages_;
   QWidget* pictures_;
+  MarkupBar* markupBar_;
   ArchiveView* archive_;
   std::array<PlaneView*, 3> views_{};
   SurfaceView* surface_;
+  QWidget* active_ = nullptr;  ///< The view that was clicked or had the focus last.
+  std::filesystem::path
+      markupFile_;  ///< Patient's file with whom markups are kept; empty: none yet.
+  std::map<std::string, std::vector<ct::Markup>>
+      markupsOfSeries_;  ///< Markups of the CTs that were open, by series.
+  bool isShowingKept_ = false;
+  QTimer keeping_;  ///< Runs from a change of markups until they are kept.
 };
 
 }  // namespace perilymph::gui

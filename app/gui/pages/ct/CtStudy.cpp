@@ -28,6 +28,9 @@ void CtStudy::removeAll()
   undoStack_.clear();
   redoStack_.clear();
   isCrosshairPlaced_ = false;
+  chosenMarkup_.reset();
+  tool_.reset();
+  toolPoints_P_.clear();
 }
 
 void CtStudy::clear()
@@ -37,6 +40,7 @@ void CtStudy::clear()
   volume_.reset();
   sampler_.reset();
   series_ = {};
+  Q_EMIT markupsChanged();
   announceModel();
 }
 
@@ -50,6 +54,7 @@ void CtStudy::setCt(imaging::LoadedCt ct)
   // cone-beam scanners have gray values of their own
   const imaging::GrayWindow whole = imaging::wholeWindow(*volume_);
   window_ = series_.modality == "CT" ? imaging::boneWindow : whole;
+  Q_EMIT markupsChanged();
   Q_EMIT modelChanged();
   showWhole();
 }
@@ -242,6 +247,103 @@ void CtStudy::setMarks(const ct::Marks& marks)
   announceModel();
 }
 
+ct::CtMarkups CtStudy::ctMarkups() const
+{
+  if (!hasCt()) return {};
+  ct::CtMarkups markups = ct::markupsOf(*volume_);
+  markups.seriesKey = series_.key;
+  markups.markups = now_.markups;
+  return markups;
+}
+
+void CtStudy::announceMarkups()
+{
+  Q_EMIT markupsChanged();
+  Q_EMIT changed();
+}
+
+void CtStudy::showMarkups(std::vector<ct::Markup> markups)
+{
+  now_.markups = std::move(markups);
+  chosenMarkup_.reset();
+  announceMarkups();
+}
+
+Result<void> CtStudy::addMarkups(const std::vector<ct::Markup>& markups)
+{
+  if (!hasCt() || markups.empty()) return {};
+  ct::CtMarkups whole = ctMarkups();
+  whole.markups = markups;
+  if (const auto note = ct::outsideNote(whole, *volume_)) return Error(*note);
+  whole.markups.insert(whole.markups.begin(), now_.markups.begin(), now_.markups.end());
+  if (const auto possible = ct::checkMarkups(whole); !possible) return possible;
+  keepForUndo();
+  isChangeOpen_ = false;
+  now_.markups = std::move(whole.markups);
+  chosenMarkup_ = now_.markups.size() - 1;
+  announceMarkups();
+  return {};
+}
+
+void CtStudy::moveMarkupPoint(const MarkupPoint& which, const Eigen::Vector3d& point_P)
+{
+  if (!hasCt() || !volume_->contains(point_P) || which.markup >= now_.markups.size()) return;
+  ct::Markup moved = now_.markups[which.markup];
+  if (which.point >= moved.points_P.size()) return;
+  moved.points_P[which.point] = point_P;
+  if (!ct::checkMarkup(moved)) return;
+  if (!isChangeOpen_) keepForUndo();
+  isChangeOpen_ = true;
+  now_.markups[which.markup] = std::move(moved);
+  announceMarkups();
+}
+
+void CtStudy::setMarkupText(std::size_t which, const std::string& text)
+{
+  if (which >= now_.markups.size() || now_.markups[which].text == text) return;
+  ct::Markup named = now_.markups[which];
+  named.text = text;
+  if (!ct::checkMarkup(named)) return;
+  keepForUndo();
+  isChangeOpen_ = false;
+  now_.markups[which] = std::move(named);
+  announceMarkups();
+}
+
+void CtStudy::removeMarkup(std::size_t which)
+{
+  if (which >= now_.markups.size()) return;
+  keepForUndo();
+  isChangeOpen_ = false;
+  now_.markups.erase(now_.markups.begin() + static_cast<std::ptrdiff_t>(which));
+  chosenMarkup_.reset();
+  announceMarkups();
+}
+
+void CtStudy::chooseMarkup(std::optional<std::size_t> which)
+{
+  chosenMarkup_ = which && *which < now_.markups.size() ? which : std::nullopt;
+  Q_EMIT changed();
+}
+
+void CtStudy::setTool(std::optional<ct::MarkupKind> tool)
+{
+  tool_ = hasCt() ? tool : std::nullopt;
+  toolPoints_P_.clear();
+  Q_EMIT changed();
+}
+
+void CtStudy::placeToolPoint(const Eigen::Vector3d& point_P)
+{
+  if (!tool_ || !hasCt() || !volume_->contains(point_P)) return;
+  toolPoints_P_.push_back(point_P);
+  if (toolPoints_P_.size() == ct::pointCountOf(*tool_).least) {
+    const ct::Markup whole{*tool_, std::exchange(toolPoints_P_, {})};
+    if (addMarkups({whole})) return;
+  }
+  Q_EMIT changed();  // also where two points at one place are no markup: it is begun again
+}
+
 void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
 {
   if (from.empty()) return;
@@ -249,6 +351,8 @@ void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
   to.push_back(std::exchange(now_, std::move(from.back())));
   from.pop_back();
   isChangeOpen_ = false;
+  chosenMarkup_.reset();
+  Q_EMIT markupsChanged();
   if (!now_.measures && frame_ == PlaneFrame::cochlea) {
     frame_ = PlaneFrame::patient;
     Q_EMIT modelChanged();
@@ -257,7 +361,12 @@ void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
   announceModel();
 }
 
-void CtStudy::undo() { restore(undoStack_, redoStack_); }
+void CtStudy::undo()
+{
+  if (toolPoints_P_.empty()) return restore(undoStack_, redoStack_);
+  toolPoints_P_.pop_back();
+  Q_EMIT changed();
+}
 
 void CtStudy::redo() { restore(redoStack_, undoStack_); }
 

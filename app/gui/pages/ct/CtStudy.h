@@ -6,10 +6,13 @@
 #include <QObject>
 #include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "perilymph/ct/Marks.h"
+#include "perilymph/ct/Markups.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/ct/ViewPlane.h"
 #include "perilymph/imaging/CtSeries.h"
@@ -126,9 +129,43 @@ public:
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
   /// Shows landmarks placed by a person, as from a file.
   void setMarks(const ct::Marks& marks);
+
+  /// What a person marked in this CT: distances, angles, notes and structures.
+  const std::vector<ct::Markup>& markups() const { return now_.markups; }
+  /// The same with series and voxels.
+  ct::CtMarkups ctMarkups() const;
+  /// Shows markups that were kept of this CT; no step for undo.
+  void showMarkups(std::vector<ct::Markup> markups);
+  /// Adds markups, or none where one is impossible or has a point outside the volume. One step for undo; the last one is
+  /// chosen.
+  Result<void> addMarkups(const std::vector<ct::Markup>& markups);
+  /// A point of a markup, by its places in the lists.
+  struct MarkupPoint {
+    std::size_t markup, point;
+    friend bool operator==(const MarkupPoint&, const MarkupPoint&) = default;
+  };
+  /// Moves a point within the volume; it stays where the markup would be impossible. Calls after one beginChange() are
+  /// one step for undo.
+  void moveMarkupPoint(const MarkupPoint& which, const Eigen::Vector3d& point_P);
+  void setMarkupText(std::size_t which, const std::string& text);
+  void removeMarkup(std::size_t which);
+  /// The markup that Del removes; the crosshair stays.
+  void chooseMarkup(std::optional<std::size_t> which);
+  std::optional<std::size_t> chosenMarkup() const { return chosenMarkup_; }
+
+  /// The kind of markup that clicks place; empty: none. Points that were placed and are no markup yet are dropped.
+  void setTool(std::optional<ct::MarkupKind> tool);
+  std::optional<ct::MarkupKind> tool() const { return tool_; }
+  /// Points of the markup that is placed now.
+  const std::vector<Eigen::Vector3d>& toolPoints_P() const { return toolPoints_P_; }
+  /// Adds a point of it, in any plane; with its last point it becomes a markup. The tool stays. A note needs a text:
+  /// addMarkups().
+  void placeToolPoint(const Eigen::Vector3d& point_P);
+
   bool canUndo() const { return !undoStack_.empty(); }
   bool canRedo() const { return !redoStack_.empty(); }
-  /// Brings back the landmarks before a change, and the fit that was shown with them.
+  /// Brings back landmarks and markups before a change, and the fit that was shown with them; the last point of a
+  /// markup that is placed now first.
   void undo();
   void redo();
 
@@ -137,19 +174,23 @@ Q_SIGNALS:
   void changed();
   /// Measures, landmarks or array changed, not only what is looked at; followed by changed().
   void modelChanged();
+  /// Markups were added, moved, removed, or are others; followed by changed().
+  void markupsChanged();
 
 private:
   /// Keeps measures, with the cochlear views on them.
   void showMeasured(ct::CochleaMeasures measures);
-  /// Landmarks, who placed them, and the fit: what undo() brings back.
+  /// Landmarks, who placed them, the fit and markups: what undo() brings back.
   struct Placement {
     ct::Marks marks;
     std::array<bool, ct::markCount> isByHand{};
     std::shared_ptr<const ct::CochleaMeasures> measures, former;
+    std::vector<ct::Markup> markups;
   };
 
   void removeAll();
   void announceModel();
+  void announceMarkups();
   void keepForUndo();
   void restore(std::vector<Placement>& from, std::vector<Placement>& to);
 
@@ -169,6 +210,9 @@ private:
   int chosenContact_ = 0;
   Placement now_;
   std::vector<Placement> undoStack_, redoStack_;
+  std::optional<std::size_t> chosenMarkup_;
+  std::optional<ct::MarkupKind> tool_;
+  std::vector<Eigen::Vector3d> toolPoints_P_;
   bool isChangeOpen_ = false;  ///< Whether further placements belong to the same step.
 };
 

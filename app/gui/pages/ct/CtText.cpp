@@ -86,6 +86,75 @@ QString errorText(const ct::Measure& measure)
            numberText(measure.definition, 2));
 }
 
+QString markupName(ct::MarkupKind kind)
+{
+  switch (kind) {
+    case ct::MarkupKind::distance:
+      return tr("Distance");
+    case ct::MarkupKind::angle:
+      return tr("Angle");
+    case ct::MarkupKind::note:
+      return tr("Note");
+    case ct::MarkupKind::facialNerve:
+      return tr("Facial nerve");
+    case ct::MarkupKind::chordaTympani:
+      return tr("Chorda tympani");
+    case ct::MarkupKind::canalWall:
+      return tr("Canal wall");
+  }
+  return {};
+}
+
+QString markupText(const ct::Markup& markup, const Eigen::Matrix3d& voxelEdges_P)
+{
+  const QString text = QString::fromStdString(markup.text);
+  const auto value = ct::valueOf(markup, voxelEdges_P);
+  if (!value) return text.isEmpty() ? markupName(markup.kind) : text;
+  const bool isAngle = markup.kind == ct::MarkupKind::angle;
+  const int decimals = isAngle ? 1 : 2;
+  const QString number =
+      (isAngle ? tr("%1 ± %2°") : tr("%1 ± %2 mm"))
+          .arg(numberText(value->value, decimals), numberText(halfWidth95 * value->sd, decimals));
+  return text.isEmpty() ? number : tr("%1: %2").arg(text, number);
+}
+
+QString placeText(const Eigen::Vector3d& point_P)
+{
+  return QStringLiteral("%1; %2; %3")
+      .arg(numberText(point_P.x(), 1), numberText(point_P.y(), 1), numberText(point_P.z(), 1));
+}
+
+QStringList cursorText(const CtStudy& study, const Eigen::Vector3d& point_P)
+{
+  const QString place = tr("LPS %1 mm").arg(placeText(point_P));
+  if (!study.hasCt() || !study.volume()->contains(point_P)) return {tr("outside the CT"), place};
+  const auto intensity = study.volume()->sample(point_P);
+  if (!intensity) return {tr("not measured"), place};
+  const QString value = numberText(*intensity, 0);
+  const bool isStated = study.series().format == "DICOM";
+  return {!isStated ? tr("%1, unit not stated").arg(value)
+          : imaging::grayValueNote(study.series()).empty()
+              ? tr("%1 HU").arg(value)
+              : tr("%1, gray value, not HU").arg(value),
+          place};
+}
+
+QString planePlaceText(const CtStudy& study, std::size_t plane)
+{
+  const Eigen::Vector3d voxel = study.volume()->spacing_mm();
+  const QString voxels =
+      QStringLiteral("%1 × %2 × %3")
+          .arg(numberText(voxel.x(), 2), numberText(voxel.y(), 2), numberText(voxel.z(), 2));
+  const QString thickness = numberText(study.thickness_mm(), 0);
+  const QString slab = study.thickness_mm() == 0.0 ? tr("single layer, voxels %1 mm").arg(voxels)
+                       : study.projection() == imaging::Projection::mean
+                           ? tr("slab %1 mm, mean").arg(thickness)
+                           : tr("slab %1 mm, maximum").arg(thickness);
+  return tr("%1 · through LPS %2 mm · %3 · level %4, width %5")
+      .arg(planeName(study.frame(), plane), placeText(study.planes()[plane].center_P), slab,
+           numberText(study.window().center, 0), numberText(study.window().width, 0));
+}
+
 QString lengthText(const std::optional<double>& value_mm)
 {
   return value_mm ? tr("%1 mm").arg(numberText(*value_mm, 2)) : QStringLiteral("–");

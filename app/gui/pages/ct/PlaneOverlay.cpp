@@ -5,6 +5,7 @@
 #include <QFontMetricsF>
 #include <QLineF>
 #include <QPainter>
+#include <QStringList>
 #include <QVector>
 #include <algorithm>
 #include <array>
@@ -117,41 +118,62 @@ double opacityOf(double behind_mm)
   return 1.0 - (1.0 - dimmestMark) * distance / markReach_mm;
 }
 
-/// A label that is to be drawn, and how clearly.
-struct Label {
-  QString text;
-  double opacity;
-};
+enum class Plate { none, dark };
 
 /// Labels beside their points with lines to them, each on a free place.
-void paintLabels(QPainter& painter, const std::vector<Label>& labels,
-                 const std::vector<LabelledPoint>& points, const QRectF& pane,
-                 const std::vector<QRectF>& taken)
-{
-  const std::vector<QRectF> places = placeLabels(points, pane, taken);
-  for (std::size_t k = 0; k < labels.size(); ++k) {
-    if (places[k].isNull()) continue;
-    painter.setOpacity(labels[k].opacity);
-    const QLineF leader = leaderLine(points[k].at, places[k]);
-    if (!leader.isNull()) {
-      painter.setPen(QPen(colorOf(onCt::shadow), 3.0));
-      painter.drawLine(leader);
-      painter.setPen(QPen(colorOf(onCt::mark), 1.0));
-      painter.drawLine(leader);
-    }
-    drawText(painter, places[k], Qt::AlignCenter, labels[k].text, colorOf(onCt::mark));
-    painter.setOpacity(1.0);
+class Labels {
+public:
+  Labels(QPainter& painter, const QRectF& pane) : painter_(painter), pane_(pane) {}
+
+  /// Adds the label of a point; one outside the pane has none. A number or a note stands on a plate, because bone is as
+  /// bright as type.
+  void add(const QString& text, const QPointF& at, double opacity,
+           const figures::Ink& ink = onCt::mark, Plate plate = Plate::none)
+  {
+    if (!pane_.contains(at)) return;
+    const QFontMetricsF metrics(painter_.font());
+    texts_.push_back({text, opacity, colorOf(ink), plate});
+    points_.push_back({at, {metrics.horizontalAdvance(text) + 4.0, metrics.height()}});
   }
-}
+
+  void paint(const std::vector<QRectF>& taken)
+  {
+    const std::vector<QRectF> places = placeLabels(points_, pane_, taken);
+    for (std::size_t k = 0; k < texts_.size(); ++k) {
+      if (places[k].isNull()) continue;
+      painter_.setOpacity(texts_[k].opacity);
+      const QLineF leader = leaderLine(points_[k].at, places[k]);
+      if (!leader.isNull()) {
+        painter_.setPen(QPen(colorOf(onCt::shadow), 3.0));
+        painter_.drawLine(leader);
+        painter_.setPen(QPen(texts_[k].color, 1.0));
+        painter_.drawLine(leader);
+      }
+      if (texts_[k].plate == Plate::dark) painter_.fillRect(places[k], colorOf(onCt::shadow));
+      drawText(painter_, places[k], Qt::AlignCenter, texts_[k].text, texts_[k].color);
+      painter_.setOpacity(1.0);
+    }
+  }
+
+private:
+  struct Text {
+    QString text;
+    double opacity;
+    QColor color;
+    Plate plate;
+  };
+
+  QPainter& painter_;
+  QRectF pane_;
+  std::vector<Text> texts_;
+  std::vector<LabelledPoint> points_;
+};
 
 /// Contacts by number: a ring where a contact was seen, a dashed one where the spacings placed it, filled
 /// where a person did.
 void paintContacts(QPainter& painter, const CtStudy& study, std::size_t index,
-                   const Projector& project, const QRectF& pane, const std::vector<QRectF>& taken)
+                   const Projector& project, const QRectF& pane, Labels& labels)
 {
-  std::vector<Label> labels;
-  std::vector<LabelledPoint> points;
-  const QFontMetricsF metrics(painter.font());
   for (const CtStudy::Contact& each : study.contacts()) {
     const double opacity = contactOpacity(study, index, each.at_P);
     const QPointF at = project(each.at_P);
@@ -167,29 +189,17 @@ void paintContacts(QPainter& painter, const CtStudy& study, std::size_t index,
         QPen(color, 1.8, each.isSeenSingly || each.isByHand ? Qt::SolidLine : Qt::DotLine));
     painter.drawEllipse(at, markRadius_px, markRadius_px);
     painter.setOpacity(1.0);
-    const QString text = QString::number(each.number);
-    labels.push_back({text, opacity});
-    points.push_back({at, {metrics.horizontalAdvance(text) + 4.0, metrics.height()}});
+    labels.add(QString::number(each.number), at, opacity);
   }
   painter.setBrush(Qt::NoBrush);
-  paintLabels(painter, labels, points, pane, taken);
 }
 
 void paintMarks(QPainter& painter, const CtStudy& study, const Projector& project,
-                const std::optional<ct::Mark>& dragged, const QRectF& pane,
-                const std::vector<QRectF>& taken)
+                const std::optional<ct::Mark>& dragged, Labels& labels)
 {
   const ct::Marks& marks = study.marks();
   const auto isDrawn = [&](ct::Mark mark) {
     return marks[mark] && opacityOf(project.plane.behind(*marks[mark])) > 0.0;
-  };
-  std::vector<Label> labels;
-  std::vector<LabelledPoint> points;
-  const auto addLabel = [&](const QString& text, const QPointF& at, double opacity) {
-    if (!pane.contains(at)) return;
-    const QFontMetricsF metrics(painter.font());
-    labels.push_back({text, opacity});
-    points.push_back({at, {metrics.horizontalAdvance(text) + 4.0, metrics.height()}});
   };
   for (std::size_t k = 0; k < ct::markCount; ++k) {
     const auto mark = static_cast<ct::Mark>(k);
@@ -203,7 +213,7 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
     painter.setPen(QPen(dragged == mark ? colorOf(onCt::outline) : colorOf(onCt::mark), 1.8));
     painter.drawEllipse(at, markRadius_px, markRadius_px);
     painter.setOpacity(1.0);
-    addLabel(markLabel(mark), at, opacity);
+    labels.add(markLabel(mark), at, opacity);
   }
   for (const ct::MeasureLine& line : ct::measureLines) {
     const auto &one = marks[line.from], &other = marks[line.to];
@@ -213,9 +223,67 @@ void paintMarks(QPainter& painter, const CtStudy& study, const Projector& projec
     painter.setPen(QPen(colorOf(onCt::mark), 1.0, Qt::DashLine));
     painter.drawLine(from, to);
     // not in the middle, where A and B cross
-    addLabel(QLatin1String(line.name), from + 0.3 * (to - from), 1.0);
+    labels.add(QLatin1String(line.name), from + 0.3 * (to - from), 1.0);
   }
-  paintLabels(painter, labels, points, pane, taken);
+}
+
+/// Where a markup's label points to: its rightmost point, so that a label to the right of it is on none of its lines.
+QPointF labelled(const ct::Markup& markup, const Projector& project)
+{
+  QPointF rightmost = project(markup.points_P.front());
+  for (const Eigen::Vector3d& point : markup.points_P)
+    if (const QPointF at = project(point); at.x() > rightmost.x()) rightmost = at;
+  return rightmost;
+}
+
+/// Lines between points in their order, and a ring at each: filled within the reach of the plane.
+void paintPoints(QPainter& painter, const Projector& project,
+                 const std::vector<Eigen::Vector3d>& points_P, const QColor& color)
+{
+  constexpr double radius_px = 3.5;
+  QVector<QLineF> lines;
+  for (std::size_t k = 0; k + 1 < points_P.size(); ++k)
+    lines.append(QLineF(project(points_P[k]), project(points_P[k + 1])));
+  for (const bool isShadow : {true, false}) {
+    painter.setPen(isShadow ? QPen(colorOf(onCt::shadow), 4.0) : QPen(color, 1.5));
+    painter.drawLines(lines);
+    for (const Eigen::Vector3d& point : points_P) {
+      const bool isNear = std::fabs(project.plane.behind(point)) <= markReach_mm;
+      painter.setBrush(isNear && !isShadow ? QBrush(color) : QBrush(Qt::NoBrush));
+      painter.drawEllipse(project(point), radius_px, radius_px);
+    }
+  }
+  painter.setBrush(Qt::NoBrush);
+}
+
+void paintMarkups(QPainter& painter, const CtStudy& study, std::size_t plane,
+                  const Projector& project, Labels& labels)
+{
+  const ct::CtMarkups whole = study.ctMarkups();
+  for (std::size_t k = 0; k < whole.markups.size(); ++k) {
+    const ct::Markup& each = whole.markups[k];
+    const double opacity = markupOpacity(study, plane, each);
+    if (opacity == 0.0) continue;
+    const figures::Ink& ink = study.chosenMarkup() == k ? onCt::outline : onCt::markup;
+    painter.setOpacity(opacity);
+    paintPoints(painter, project, each.points_P, colorOf(ink));
+    painter.setOpacity(1.0);
+    labels.add(markupText(each, whole.voxelEdges_P), labelled(each, project), opacity, ink,
+               Plate::dark);
+  }
+}
+
+/// The markup that is placed now, up to the mouse.
+void paintTool(QPainter& painter, const CtStudy& study, const Projector& project,
+               const std::optional<Eigen::Vector3d>& cursor, Labels& labels)
+{
+  if (!study.tool() || study.toolPoints_P().empty()) return;
+  ct::Markup begun{*study.tool(), study.toolPoints_P()};
+  if (cursor) begun.points_P.push_back(*cursor);
+  paintPoints(painter, project, begun.points_P, colorOf(onCt::outline));
+  if (ct::checkMarkup(begun))
+    labels.add(markupText(begun, study.ctMarkups().voxelEdges_P), labelled(begun, project), 1.0,
+               onCt::outline, Plate::dark);
 }
 
 /// The letters of a picture's four directions and where they stand.
@@ -245,6 +313,13 @@ std::array<Letters, 4> lettersOf(const QFontMetricsF& metrics, const QSize& size
           standing(-plane.right_P, Qt::AlignLeft | Qt::AlignVCenter),
           standing(plane.down_P, Qt::AlignHCenter | Qt::AlignBottom),
           standing(-plane.down_P, Qt::AlignHCenter | Qt::AlignTop)};
+}
+
+double widestOf(const QFontMetricsF& metrics, const QStringList& lines)
+{
+  double widest = 0.0;
+  for (const QString& line : lines) widest = std::max(widest, metrics.horizontalAdvance(line));
+  return widest;
 }
 
 void paintScaleBar(QPainter& painter, const QSize& size, double pixel_mm)
@@ -278,16 +353,31 @@ double contactOpacity(const CtStudy& study, std::size_t plane, const Eigen::Vect
   return std::fabs(behind_mm) > arrayReach_mm ? 0.0 : std::max(0.7, opacityOf(behind_mm));
 }
 
+double markupOpacity(const CtStudy& study, std::size_t plane, const ct::Markup& markup)
+{
+  const ct::ViewPlane own = study.planes()[plane];
+  double nearest_mm = 2.0 * markReach_mm;
+  bool isBehind = false, isBefore = false;
+  for (const Eigen::Vector3d& point : markup.points_P) {
+    const double behind_mm = own.behind(point);
+    isBehind = isBehind || behind_mm >= 0.0;
+    isBefore = isBefore || behind_mm <= 0.0;
+    nearest_mm = std::min(nearest_mm, std::fabs(behind_mm));
+  }
+  // a line from one side to the other runs through the plane
+  return opacityOf(isBehind && isBefore ? 0.0 : nearest_mm);
+}
+
 void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t plane,
-                  const std::optional<ct::Mark>& dragged)
+                  double pixel_mm, const OverlayState& state)
 {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setFont(typeface(13, QFont::DemiBold));
-  const Projector project{study.planes()[plane], study.pixel_mm(),
+  const Projector project{study.planes()[plane], pixel_mm,
                           QPointF(0.5 * size.width(), 0.5 * size.height())};
   paintOutline(painter, study, project);
   paintArray(painter, study, project);
-  paintCrosshair(painter, size, study, plane, project);
+  if (state.hasCrosshair) paintCrosshair(painter, size, study, plane, project);
   const QString name = planeName(study.frame(), plane);
   const QFontMetricsF metrics(painter.font());
   const QRectF pane(QPointF(0, 0), size);
@@ -297,12 +387,24 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
       QRectF(QPointF(size.width() - 110.0, size.height() - 36.0), pane.bottomRight())};
   const auto letters = lettersOf(metrics, size, project.plane);
   for (const Letters& each : letters) taken.push_back(each.area);
-  paintMarks(painter, study, project, dragged, pane, taken);
-  paintContacts(painter, study, plane, project, pane, taken);
+  QStringList cursor;
+  if (state.cursor) cursor = cursorText(study, *state.cursor);
+  const double line = metrics.height();
+  const QRectF cursorArea(spacing, size.height() - spacing - line * cursor.size(),
+                          widestOf(metrics, cursor), line * cursor.size());
+  if (!cursor.isEmpty()) taken.push_back(cursorArea);
+  Labels labels(painter, pane);
+  paintMarks(painter, study, project, state.dragged, labels);
+  paintContacts(painter, study, plane, project, pane, labels);
+  paintMarkups(painter, study, plane, project, labels);
+  paintTool(painter, study, project, state.cursor, labels);
+  labels.paint(taken);
+  if (!cursor.isEmpty()) painter.fillRect(cursorArea.adjusted(-4, -2, 4, 2), colorOf(onCt::shadow));
+  drawText(painter, cursorArea, Qt::AlignLeft, cursor.join(QLatin1Char('\n')), colorOf(onCt::mark));
   for (const Letters& each : letters)
     drawText(painter, each.area.adjusted(spacing, spacing, -spacing, -spacing), each.at, each.text,
              colorOf(onCt::mark));
-  paintScaleBar(painter, size, study.pixel_mm());
+  paintScaleBar(painter, size, pixel_mm);
   drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop, name,
            colorOf(onCt::planes[plane]));
 }

@@ -12,6 +12,7 @@
 #include "PublishedCarrier.h"
 #include "contact/Mouth.h"
 #include "contact/Passage.h"
+#include "perilymph/anatomy/Approach.h"
 #include "perilymph/foundation/Math.h"
 #include "points/PointSetModel.h"
 
@@ -213,11 +214,7 @@ std::shared_ptr<const InsertionModel> InsertionModel::build(ModelParts parts)
   m.twists = relaxation.bends() || array.yields();
   m.baseMass = publishedMass;
 
-  // the approach: along E.z, rotated toward E.y and toward E.x
-  const SineCosine tilt = sineCosine(m.parts.approachTilt.si());
-  const SineCosine turn = sineCosine(m.parts.approachTurn.si());
-  m.startAxis_W = -(tilt.cosine * turn.cosine) * m.entry.out_W + tilt.sine * m.entry.vertical_W +
-                  (tilt.cosine * turn.sine) * m.entry.outward_W;
+  m.startAxis_W = anatomy::directionOf({m.parts.approachTilt, m.parts.approachTurn}, m.entry);
   // a precurved array curls toward the modiolus, away from the outer wall
   const Eigen::Vector3d inner_W = -m.entry.outward_W;
   m.startCurl_W = (inner_W - inner_W.dot(m.startAxis_W) * m.startAxis_W).normalized();

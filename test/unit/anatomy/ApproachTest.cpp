@@ -145,10 +145,10 @@ TEST(AnApproach, IsATiltUpOfTheTurnedLine)
   EXPECT_LT((directionOf({degrees(0), degrees(90)}, entry) - Vector3d::UnitX()).norm(), 1e-12);
 }
 
-TEST(AnApproach, IsLimitedToWhatAScenarioHasInTenthsOfADegree)
+TEST(AnApproach, IsLimitedToWhatAScenarioHasInHundredthsOfADegree)
 {
-  const Approach limited = withinLimits({degrees(12.34), degrees(-47.0)});
-  EXPECT_DOUBLE_EQ(inDegrees(limited.tilt), 12.3);
+  const Approach limited = withinLimits({degrees(12.3442), degrees(-47.0)});
+  EXPECT_DOUBLE_EQ(inDegrees(limited.tilt), 12.34);
   EXPECT_DOUBLE_EQ(inDegrees(limited.turn), -30.0);
 }
 

@@ -17,11 +17,11 @@ double elevation(double sine)
   return arcTangent(sine, std::sqrt(std::max(0.0, 1.0 - sine * sine)));
 }
 
-Angle toTenths(Angle angle)
+Angle limited(Angle angle)
 {
-  const double tenths = std::round(10.0 * inDegrees(angle));
-  constexpr double most = 10.0 * steepestApproach_deg;
-  return degrees(std::clamp(tenths, -most, most) / 10.0);
+  const double hundredths = std::round(100.0 * inDegrees(angle));
+  constexpr double most = 100.0 * steepestApproach_deg;
+  return degrees(std::clamp(hundredths, -most, most) / 100.0);
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ Approach approachAlong(const Eigen::Vector3d& into_W, const Entry& entry) noexce
 
 Approach withinLimits(const Approach& approach) noexcept
 {
-  return {toTenths(approach.tilt), toTenths(approach.turn)};
+  return {limited(approach.tilt), limited(approach.turn)};
 }
 
 BasalTurnAngles anglesToBasalTurn(const Approach& approach, const Entry& entry) noexcept

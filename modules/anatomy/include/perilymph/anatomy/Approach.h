@@ -26,7 +26,7 @@ Eigen::Vector3d directionOf(const Approach& approach, const Entry& entry) noexce
 Approach approachAlong(const Eigen::Vector3d& into_W, const Entry& entry) noexcept;
 
 /// The approach within the limits of a scenario that is nearest to one in tilt and in turn, both to a
-/// tenth of a degree, as they are shown.
+/// hundredth of a degree.
 Approach withinLimits(const Approach& approach) noexcept;
 
 /// Angles of an insertion to the basal turn; both are 0 along the tangent of the scala tympani's center

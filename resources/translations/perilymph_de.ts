@@ -4682,6 +4682,58 @@
         <source>The cochlea was fitted badly to its images: angles may be wrong by more than their intervals. Check the outline of the cochlea, or give another CT before surgery.</source>
         <translation>Die Cochlea passt schlecht zu ihren Bildern: Winkel können weiter abweichen als ihre Intervalle. Prüfen Sie den Umriss der Cochlea oder geben Sie ein anderes CT vor der Operation an.</translation>
     </message>
+    <message>
+        <source>The markup %1 has %2 points; it needs %3 to %4. Place it again.</source>
+        <translation>Die Markierung %1 hat %2 Punkte; nötig sind %3 bis %4. Setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The markup %1 has a point that is not finite or beyond 10 m from the scanner&apos;s origin. Place it again.</source>
+        <translation>Die Markierung %1 hat einen Punkt, der nicht endlich ist oder mehr als 10 m vom Ursprung des Scanners entfernt liegt. Setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The markup %1 has two points at one place. Move one of them.</source>
+        <translation>Die Markierung %1 hat zwei Punkte an derselben Stelle. Verschieben Sie einen davon.</translation>
+    </message>
+    <message>
+        <source>A note has no text. Write one, or remove it.</source>
+        <translation>Eine Notiz hat keinen Text. Schreiben Sie einen oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The text of a markup %1 has %2 bytes; at most %3 are kept. Shorten it.</source>
+        <translation>Der Text einer Markierung %1 hat %2 Bytes; gespeichert werden höchstens %3. Kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>The text of a markup %1 has a line break, a control character or a character that is no UTF-8. Write it in one line.</source>
+        <translation>Der Text einer Markierung %1 hat einen Zeilenumbruch, ein Steuerzeichen oder ein Zeichen, das kein UTF-8 ist. Schreiben Sie ihn in einer Zeile.</translation>
+    </message>
+    <message>
+        <source>Markups are of the CT series &quot;%1&quot;, which is no SHA-256 of 64 hexadecimal digits. Place them in an open CT.</source>
+        <translation>Markierungen gehören zur CT-Serie „%1“; das ist keine SHA-256 aus 64 hexadezimalen Ziffern. Setzen Sie sie in einem geöffneten CT.</translation>
+    </message>
+    <message>
+        <source>Markups are of voxels whose edges are not 0.001 to 100 mm long or lie in one plane. Place them in an open CT.</source>
+        <translation>Markierungen gehören zu Voxeln, deren Kanten nicht 0,001 bis 100 mm lang sind oder in einer Ebene liegen. Setzen Sie sie in einem geöffneten CT.</translation>
+    </message>
+    <message>
+        <source>A CT has %1 markups; at most %2 are kept. Remove some.</source>
+        <translation>Ein CT hat %1 Markierungen; gespeichert werden höchstens %2. Entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 markups have a point outside the CT, which is not shown. Remove them or place them again.</source>
+        <translation>%1 von %2 Markierungen haben einen Punkt außerhalb des CTs, der nicht angezeigt wird. Entfernen Sie sie oder setzen Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>There are markups of %1 scans; those of %2 are kept at most. Remove some.</source>
+        <translation>Es gibt Markierungen von %1 Scans; gespeichert werden die von höchstens %2. Entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>Markups of the CT series %1 stand twice. Remove one of the lists.</source>
+        <translation>Die Markierungen der CT-Serie %1 stehen doppelt. Entfernen Sie eine der Listen.</translation>
+    </message>
+    <message>
+        <source>%1 states in &quot;%2&quot; of a markup what this program does not know. Restore it from a backup, or remove the markup.</source>
+        <translation>%1 gibt in „%2“ einer Markierung etwas an, das dieses Programm nicht kennt. Stellen Sie die Datei aus einer Sicherung wieder her oder entfernen Sie die Markierung.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -13,10 +13,14 @@ std::vector<Bytes> seeds()
 {
   const InputFile place("none");
   const auto patient = place.folder() / "P-017-left.toml";
-  const session::PatientRecord record{{"revision", "EAS"},
-                                      "Second look.\nRound window narrow.",
-                                      true,
-                                      {{std::string(64, 'a'), "2026-11-20T09:30:00Z"}}};
+  session::PatientRecord record{{"revision", "EAS"},
+                                "Second look.\nRound window narrow.",
+                                true,
+                                {{std::string(64, 'a'), "2026-11-20T09:30:00Z"}}};
+  record.markups = {{std::string(64, 'a'),
+                     0.2 * Eigen::Matrix3d::Identity(),
+                     {{ct::MarkupKind::angle, {{1, 2, 3}, {4, 5, 6}, {7, 8, 8}}},
+                      {ct::MarkupKind::note, {{1.5, -2, 30.25}}, "high jugular bulb"}}}};
   promise(static_cast<bool>(session::savePatientRecord(record, patient)), "a record can be kept");
   return {contentOf(session::recordFileOf(patient))};
 }
@@ -50,7 +54,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
   const auto again = session::loadPatientRecord(*imported);
   fuzz::promise(again && again->tags.size() == record->tags.size() &&
                     again->scans.size() == record->scans.size() &&
-                    again->isArchived == record->isArchived,
+                    again->isArchived == record->isArchived && again->markups == record->markups,
                 "an imported record is kept");
   return 0;
 }

@@ -63,7 +63,7 @@ TEST_F(PatientRecords, RefuseHostileFilesInOneSentence)
 
 TEST_F(PatientRecords, OfANewerProgramSaySo)
 {
-  for (const char* format : {"3", "4294967297", "18446744073709551615", "1e300"}) {
+  for (const char* format : {"4", "4294967297", "18446744073709551615", "1e300"}) {
     std::ofstream(recordFileOf(file_))
         << "{\"format\": " << format << R"(, "tags": [], "notes": "", "archived": false})";
     const auto record = loadPatientRecord(file_);
@@ -208,7 +208,7 @@ TEST_F(PatientRecords, OfAnotherProgramAreNotReplaced)
   EXPECT_THAT(saved.error().message, HasSubstr("was changed by another program meanwhile"));
   EXPECT_EQ(*loadPatientRecord(file_), record_);
   // nor those that cannot be read, or are of a newer program
-  for (const char* text : {"{\"format\": 3}", "no JSON"}) {
+  for (const char* text : {"{\"format\": 4}", "no JSON"}) {
     std::ofstream(recordFileOf(file_)) << text;
     EXPECT_FALSE(savePatientRecord(other, file_));
     EXPECT_FALSE(

@@ -187,6 +187,21 @@ Result<void> checkLists(const PatientRecord& record)
   return {};
 }
 
+Result<void> checkAllMarkups(const PatientRecord& record)
+{
+  if (record.markups.size() > maxScans)
+    return Error{"There are markups of %1 scans; those of %2 are kept at most. Remove some.",
+                 record.markups.size(), maxScans};
+  std::set<std::string> seen;
+  for (const ct::CtMarkups& each : record.markups) {
+    if (const auto possible = ct::checkMarkups(each); !possible) return possible;
+    if (!seen.insert(each.seriesKey).second)
+      return Error{"Markups of the CT series %1 stand twice. Remove one of the lists.",
+                   each.seriesKey};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> checkRecord(const PatientRecord& record)
@@ -205,6 +220,7 @@ Result<void> checkRecord(const PatientRecord& record)
           "date like 2026-11-20T09:30:00Z. Correct or remove it.",
           scan.series, scan.savedUtc};
   if (const auto possible = checkLists(record); !possible) return possible;
+  if (const auto possible = checkAllMarkups(record); !possible) return possible;
   std::set<std::string> seen;
   for (const std::string& tag : record.tags) {
     const bool isClean = std::none_of(tag.begin(), tag.end(), [](char c) {
@@ -257,6 +273,19 @@ Result<PatientRecord> changePatientRecord(const fs::path& patient,
   PatientRecord record = *before;
   change(record);
   return replaceRecord(record, *before, patient);
+}
+
+const ct::CtMarkups* markupsOf(const PatientRecord& record, const std::string& seriesKey)
+{
+  const auto found = std::ranges::find(record.markups, seriesKey, &ct::CtMarkups::seriesKey);
+  return found == record.markups.end() ? nullptr : &*found;
+}
+
+void setMarkups(PatientRecord& record, const ct::CtMarkups& markups)
+{
+  std::erase_if(record.markups,
+                [&](const ct::CtMarkups& each) { return each.seriesKey == markups.seriesKey; });
+  if (!markups.markups.empty()) record.markups.push_back(markups);
 }
 
 Result<void> savePatientVersion(const anatomy::Patient& patient, const fs::path& file,

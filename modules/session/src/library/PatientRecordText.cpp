@@ -13,6 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int formatWithoutMarkups = 2;
+
 Json measureJson(Length value, std::optional<Length> error)
 {
   const double value_mm = inMillimeters(value);
@@ -90,6 +92,67 @@ PatientVersion versionIn(const Json& json)
   return version;
 }
 
+constexpr const char* unitOf(ct::MarkupKind kind)
+{
+  return kind == ct::MarkupKind::angle ? "deg" : "mm";
+}
+
+Json placeJson(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
+
+Eigen::Vector3d placeIn(const Json& json)
+{
+  const auto place = json.get<std::array<double, 3>>();
+  return {place[0], place[1], place[2]};
+}
+
+Json markupsJson(const ct::CtMarkups& markups)
+{
+  Json json = {{"series_sha256", markups.seriesKey},
+               {"coordinate_system", "LPS"},
+               {"voxel_edges_mm", Json::array()},
+               {"items", Json::array()}};
+  for (int axis = 0; axis < 3; ++axis)
+    json["voxel_edges_mm"].push_back(placeJson(markups.voxelEdges_P.col(axis)));
+  for (const ct::Markup& each : markups.markups) {
+    Json item = {{"kind", nameIn(ct::markupKinds, each.kind)}, {"lps_mm", Json::array()}};
+    for (const Eigen::Vector3d& point : each.points_P) item["lps_mm"].push_back(placeJson(point));
+    item["text"] = each.text;
+    if (const auto value = ct::valueOf(each, markups.voxelEdges_P)) {
+      item["value"] = value->value;
+      item["sd"] = value->sd;
+      item["unit"] = unitOf(each.kind);
+    }
+    json["items"].push_back(std::move(item));
+  }
+  return json;
+}
+
+/// What a key of a markup states is none of what this program knows.
+struct UnknownWord {
+  const char* key;
+};
+
+/// Values are not read: they follow from the points.
+ct::CtMarkups markupsIn(const Json& json)
+{
+  // what a later format may place in another system would be placed wrongly
+  if (json.at("coordinate_system").get<std::string>() != "LPS")
+    throw UnknownWord{"coordinate_system"};
+  ct::CtMarkups markups{json.at("series_sha256").get<std::string>()};
+  const auto edges = json.at("voxel_edges_mm").get<std::array<Json, 3>>();
+  for (int axis = 0; axis < 3; ++axis)
+    markups.voxelEdges_P.col(axis) = placeIn(edges[static_cast<std::size_t>(axis)]);
+  for (const Json& item : json.at("items").get<std::vector<Json>>()) {
+    const auto kind = valueIn(ct::markupKinds, item.at("kind").get<std::string>());
+    if (!kind) throw UnknownWord{"kind"};
+    ct::Markup markup{*kind, {}, item.at("text").get<std::string>()};
+    for (const Json& place : item.at("lps_mm").get<std::vector<Json>>())
+      markup.points_P.push_back(placeIn(place));
+    markups.markups.push_back(std::move(markup));
+  }
+  return markups;
+}
+
 /// What format 2 has beyond format 1.
 void readFormat2(const Json& json, PatientRecord& record)
 {
@@ -107,7 +170,7 @@ void readFormat2(const Json& json, PatientRecord& record)
 
 std::string textOf(const PatientRecord& record)
 {
-  Json json = {{"format", recordFormat},
+  Json json = {{"format", record.markups.empty() ? formatWithoutMarkups : recordFormat},
                {"tags", record.tags},
                {"notes", record.notes},
                {"archived", record.isArchived},
@@ -123,6 +186,10 @@ std::string textOf(const PatientRecord& record)
   for (const PatientOutcome& each : record.outcomes)
     json["outcomes"].push_back(
         {{"utc", each.utc}, {"series_sha256", each.series}, {"content", each.content}});
+  if (!record.markups.empty()) {
+    json["markups"] = Json::array();
+    for (const ct::CtMarkups& each : record.markups) json["markups"].push_back(markupsJson(each));
+  }
   json[sealKey] = sealToBe();
   return sealed(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -137,7 +204,7 @@ Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
     if (format > recordFormat)
       return Error{"%1 is of a newer program. Open it with that one.", name};
     // Format 1 had no versions, whatever the line of the format says.
-    const bool isSealed = format >= recordFormat || json.contains("versions");
+    const bool isSealed = format >= formatWithoutMarkups || json.contains("versions");
     record.tags = json.at("tags").get<std::vector<std::string>>();
     record.notes = json.at("notes").get<std::string>();
     record.isArchived = json.at("archived").get<bool>();
@@ -145,6 +212,8 @@ Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
       record.scans.push_back(
           {scan.at("series_sha256").get<std::string>(), scan.at("saved_utc").get<std::string>()});
     if (isSealed) readFormat2(json, record);
+    for (const Json& each : json.value("markups", Json::array()).get<std::vector<Json>>())
+      record.markups.push_back(markupsIn(each));
     record.seal = sealIn(text, isSealed);
     record.isChangedByHand = record.isChangedByHand || record.seal == Seal::changed;
   } catch (const nlohmann::json::exception&) {
@@ -152,6 +221,12 @@ Result<PatientRecord> recordIn(const std::string& text, const std::string& name)
         "%1 is not the record of a patient: it needs format, tags, notes and archived. Restore it "
         "from a backup, or remove it.",
         name};
+  } catch (const UnknownWord& unknown) {
+    return Error{
+        "%1 states in \"%2\" of a markup what this program does not know. Restore it from a "
+        "backup, "
+        "or remove the markup.",
+        name, unknown.key};
   }
   if (const auto possible = checkRecord(record); !possible)
     return Error{"%1: %2", name, possible.error().message};

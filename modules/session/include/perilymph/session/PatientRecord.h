@@ -2,7 +2,8 @@
 #pragma once
 
 // What is kept of a patient's ear besides the file of its measures: every version of the measures,
-// scans, plans, insertions, outcomes, tags, notes, and whether the patient is archived.
+// scans with what a person marked in them, plans, insertions, outcomes, tags, notes, and whether the
+// patient is archived.
 // A file beside the patient's, so that a copy of the folder is a backup. Nothing names the patient.
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/ct/Markups.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Seal.h"
 
@@ -78,6 +80,8 @@ struct PatientRecord {
   std::vector<PatientVersion> versions = {};
   std::vector<PatientEntry> plans = {}, insertions = {};
   std::vector<PatientOutcome> outcomes = {};
+  /// What a person marked in a CT, each series once; unlike the lists above they may be changed and removed.
+  std::vector<ct::CtMarkups> markups = {};
   /// Whether the file was once changed by hand after the program wrote it.
   bool isChangedByHand = false;
   Seal seal = Seal::intact;  ///< State of the file as read; absent in format 1.
@@ -89,17 +93,19 @@ struct PatientRecord {
     return one.tags == other.tags && one.notes == other.notes &&
            one.isArchived == other.isArchived && one.scans == other.scans &&
            one.versions == other.versions && one.plans == other.plans &&
-           one.insertions == other.insertions && one.outcomes == other.outcomes;
+           one.insertions == other.insertions && one.outcomes == other.outcomes &&
+           one.markups == other.markups;
   }
 };
 
-/// Checks lengths and characters; tags have no commas and no line breaks, series are hashes.
+/// Checks lengths and characters; tags have no commas and no line breaks, series are hashes. A message has
+/// no text of a markup.
 Result<void> checkRecord(const PatientRecord& record);
 
 /// The record's file: "P-017-left.json" beside "P-017-left.toml".
 std::filesystem::path recordFileOf(const std::filesystem::path& patient);
 
-/// The record beside a patient's file; an empty one if there is none. Formats 1 and 2 are read. One
+/// The record beside a patient's file; an empty one if there is none. Formats 1 to 3 are read. One
 /// that was changed by hand is read and marked as such.
 Result<PatientRecord> loadPatientRecord(const std::filesystem::path& patient);
 
@@ -114,6 +120,12 @@ Result<PatientRecord> savePatientRecord(const PatientRecord& record,
 /// Changes a record as it is in the file now: no other program comes between reading and writing.
 Result<PatientRecord> changePatientRecord(const std::filesystem::path& patient,
                                           const std::function<void(PatientRecord&)>& change);
+
+/// The markups of a CT series in a record; null if there are none of it.
+const ct::CtMarkups* markupsOf(const PatientRecord& record, const std::string& seriesKey);
+
+/// Replaces the markups of their series in a record; without any, those of the series are removed.
+void setMarkups(PatientRecord& record, const ct::CtMarkups& markups);
 
 /// Contents of a version besides the measures.
 struct VersionFacts {

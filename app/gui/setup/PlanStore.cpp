@@ -20,6 +20,17 @@ constexpr std::size_t keyLength = 8;  // hexadecimal digits
 
 std::string quoted(const std::string& text) { return tomlQuoted(QString::fromStdString(text)); }
 
+/// The keys of an approach, as a scenario has them; none without one.
+std::string approachText(const planning::PlanRequest& request)
+{
+  if (!request.approach) return {};
+  const auto decimal = [](Angle angle) {
+    return QString::number(inDegrees(angle), 'f', 2).toStdString();
+  };
+  return "\napproach_tilt_deg = " + decimal(request.approach->tilt) +
+         "\napproach_turn_deg = " + decimal(request.approach->turn);
+}
+
 std::string requestText(const StoredPlan& plan)
 {
   const planning::PlanRequest& request = plan.request;
@@ -29,6 +40,7 @@ std::string requestText(const StoredPlan& plan)
   return "made = " + quoted(plan.madeUtc) + "\narrays = [" + arrays +
          "]\nscenario = " + quoted(request.scenario) +
          (request.friction ? "\nfriction = " + quoted(*request.friction) : "") +
+         approachText(request) +
          (request.clinicResistance ? "\nclinic_resistance = " + quoted(*request.clinicResistance)
                                    : "") +
          "\ndraws = " + std::to_string(request.draws) + "\nseed = " + std::to_string(request.seed) +

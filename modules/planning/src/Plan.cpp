@@ -70,11 +70,20 @@ bool isSamePatient(const anatomy::Patient& stored, const anatomy::Patient& patie
          (!one.h || isSame(*one.h, *other.h));
 }
 
+bool isSameApproach(const std::optional<anatomy::Approach>& stored,
+                    const std::optional<anatomy::Approach>& approach)
+{
+  if (!stored || !approach) return stored.has_value() == approach.has_value();
+  return std::fabs(inDegrees(stored->tilt - approach->tilt)) < 1e-6 &&
+         std::fabs(inDegrees(stored->turn - approach->turn)) < 1e-6;
+}
+
 /// Whether a plan.json is of a request that is kept beside it.
 bool isOf(const PlanRequest& stored, const PlanRequest& request)
 {
   return isSamePatient(stored.patient, request.patient) && stored.scenario == request.scenario &&
-         stored.friction == request.friction && stored.seed == request.seed;
+         stored.friction == request.friction && stored.seed == request.seed &&
+         isSameApproach(stored.approach, request.approach);
 }
 
 }  // namespace

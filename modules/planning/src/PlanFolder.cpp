@@ -26,6 +26,12 @@ Result<PlanFolder> readPlanFolder(const fs::path& folder)
   plan.request.scenario = reader->text("scenario");
   if (std::string friction = reader->text("friction", ""); !friction.empty())
     plan.request.friction = std::move(friction);
+  if (reader->has("approach_tilt_deg") || reader->has("approach_turn_deg")) {
+    constexpr Range approach_deg{-anatomy::steepestApproach_deg, anatomy::steepestApproach_deg};
+    plan.request.approach =
+        anatomy::Approach{degrees(reader->number("approach_tilt_deg", approach_deg)),
+                          degrees(reader->number("approach_turn_deg", approach_deg))};
+  }
   if (std::string clinic = reader->text("clinic_resistance", ""); !clinic.empty())
     plan.request.clinicResistance = std::move(clinic);
   const long draws = reader->integer("draws", 1, long(maxDraws), 64);

@@ -238,6 +238,12 @@ StoredPlan storedIn(const Json& value)
   request.seed = countAt(value, "seed");
   request.scenario = textAt(value, "scenario");
   if (value.contains("friction")) request.friction = textAt(value, "friction");
+  if (value.contains("approach")) {
+    constexpr Range approach_deg{-anatomy::steepestApproach_deg, anatomy::steepestApproach_deg};
+    const Json& approach = at(value, "approach");
+    request.approach = anatomy::Approach{degrees(numberAt(approach, "tilt_deg", approach_deg)),
+                                         degrees(numberAt(approach, "turn_deg", approach_deg))};
+  }
   request.patient = patientIn(at(value, "patient"));
   const Json& thresholds = at(value, "thresholds");
   stored.plan.thresholds = {

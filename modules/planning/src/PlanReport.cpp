@@ -394,6 +394,9 @@ Result<std::string> planJson(const Plan& plan)
                        {"seed", plan.request.seed},
                        {"scenario", plan.request.scenario}};
   if (plan.request.friction) json["friction"] = *plan.request.friction;
+  if (const auto& approach = plan.request.approach)
+    json["approach"] = {{"tilt_deg", rounded(inDegrees(approach->tilt))},
+                        {"turn_deg", rounded(inDegrees(approach->turn))}};
   json["patient"] = patientJson(plan.request.patient);
   json["thresholds"] = {
       {"felt_mN", rounded(inMillinewtons(plan.thresholds.felt))},

@@ -2,8 +2,11 @@
 #include "perilymph/planning/PlanRequest.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "perilymph/foundation/Version.h"
+#include "perilymph/session/Csv.h"
 
 namespace perilymph::planning {
 
@@ -27,6 +30,11 @@ Result<session::Scenario> scenarioOf(const PlanRequest& request, const std::stri
 {
   session::Overrides changes = {{"array", array}, {"stop_travel_mm", stopTravel_mm}};
   if (request.friction) changes.emplace_back("friction", *request.friction);
+  if (request.approach)
+    for (const auto& [key, angle] : {std::pair{"approach_tilt_deg", request.approach->tilt},
+                                     std::pair{"approach_turn_deg", request.approach->turn}})
+      changes.emplace_back(key,
+                           session::shortestDecimal(1e-2 * std::round(100.0 * inDegrees(angle))));
   return session::loadScenario(request.scenario, changes);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/Approach.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/foundation/Units.h"
@@ -33,6 +34,8 @@ struct PlanRequest {
   std::vector<std::string> arrays;  ///< Shipped names or files.
   std::string scenario = "surgery-flex28";  ///< Defines everything that is neither drawn nor named.
   std::optional<std::string> friction;      ///< Shipped name or file; without it, the scenario's.
+  /// Without one, the scenario's. Draws deviate from it.
+  std::optional<anatomy::Approach> approach;
   /// File of a clinic's resistance (ResistanceGrid.h): the depth is also given by simulations weighted with
   /// it. Everything else stays as without it.
   std::optional<std::string> clinicResistance;

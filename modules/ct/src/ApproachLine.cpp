@@ -68,26 +68,20 @@ anatomy::Approach approachAlong(const CochleaMeasures& measures, const anatomy::
 }
 
 DistanceToLine distanceToLine(std::span<const Eigen::Vector3d> points_P, const ApproachLine& line,
-                              const CtVolume& volume)
+                              const Eigen::Matrix3d& voxelEdges_P)
 {
   Nearest best = nearestOf(points_P.front(), line);
   for (std::size_t k = 0; k + 1 < points_P.size(); ++k) {
     const Nearest other = nearestOf(points_P[k], points_P[k + 1], line);
     if (other.distance_mm < best.distance_mm) best = other;
   }
-  DistanceToLine found{best.distance_mm, 0.0, best.outside_mm, best.mark_P};
   const Eigen::Vector3d apart = best.mark_P - line.at(best.outside_mm);
-  double variance = placing_mm * placing_mm;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d edge = volume.lpsFromIndex().block<3, 1>(0, axis);
-    // without a direction of its own, the distance has the longest edge's error
-    const double along = best.distance_mm > 1e-9 ? edge.dot(apart) / best.distance_mm : edge.norm();
-    variance = best.distance_mm > 1e-9
-                   ? variance + along * along / 12.0
-                   : std::max(variance, placing_mm * placing_mm + along * along / 12.0);
-  }
-  found.sd_mm = std::sqrt(variance);
-  return found;
+  // on the line the distance has no direction: the voxel's longest edge
+  const double voxel_mm = best.distance_mm > 1e-9
+                              ? (voxelEdges_P.transpose() * apart).norm() / best.distance_mm
+                              : voxelEdges_P.colwise().norm().maxCoeff();
+  return {best.distance_mm, std::sqrt(placing_mm * placing_mm + voxel_mm * voxel_mm / 12.0),
+          best.outside_mm, best.mark_P};
 }
 
 }  // namespace perilymph::ct

@@ -83,6 +83,8 @@ PointCount pointCountOf(MarkupKind kind)
   switch (kind) {
     case MarkupKind::distance:
       return {2, 2};
+    case MarkupKind::approach:
+      return {2, 2};
     case MarkupKind::angle:
       return {3, 3};
     case MarkupKind::note:

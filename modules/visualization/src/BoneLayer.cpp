@@ -15,6 +15,9 @@ namespace {
 
 constexpr double shortest_per_mm = 0.35;  // of a pixel's size: a cut that faces the viewer (choice)
 
+// Of the line, where its handle is at least: nearer to the opening it would be hard to turn (choice).
+constexpr double shortestHandle = 0.25;
+
 }  // namespace
 
 CutPlane moved(const CutPlane& cut, double length, const BoneModel& bone)
@@ -89,6 +92,11 @@ void BoneLayer::setLandmarks(SceneLandmarks landmarks)
   for (const Eigen::Vector3d& contact : landmarks.contacts)
     places.contacts.push_back(place(contact));
   for (const auto& [name, other] : landmarks.others) places.others.emplace_back(name, place(other));
+  for (MarkedCourse course : landmarks.courses) {
+    for (Eigen::Vector3d& point : course.points) point = place(point);
+    if (course.distance) course.distance = line(*course.distance);
+    places.courses.push_back(std::move(course));
+  }
   c.landmarkParts.place(std::move(places));
   c.isChanged = true;
 }
@@ -160,6 +168,42 @@ std::optional<CutHandle> BoneLayer::handle() const
   // a cut that faces the viewer follows up and down
   if (handle.per_mm.norm() < shortest_per_mm * full) handle.per_mm = {0.0, -full};
   return handle;
+}
+
+std::optional<ApproachHandle> BoneLayer::approachHandle(double margin_px) const
+{
+  const Content& c = *content_;
+  const auto& line = c.landmarkParts.places().approach;
+  if (!line || !c.isVisible || c.view.pixel_mm <= 0.0) return std::nullopt;
+  const auto& [outer, inner] = *line;
+  const Eigen::Vector2d from = placeIn(c.renderer, inner), to = placeIn(c.renderer, outer);
+  const int* const size = c.renderer.GetSize();
+  double part = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = margin_px, high = std::max(low, size[axis] - margin_px);
+    const double by = to[axis] - from[axis];
+    if (by == 0.0 || (to[axis] >= low && to[axis] <= high)) continue;
+    part = std::min(part, ((by > 0.0 ? high : low) - from[axis]) / by);
+  }
+  part = std::max(part, shortestHandle);
+  return ApproachHandle{from + part * (to - from), part * c.view.back.dot(outer - inner)};
+}
+
+std::optional<Eigen::Vector3d> BoneLayer::approachTo(const Eigen::Vector2d& place_px,
+                                                     double toViewer_mm) const
+{
+  const Content& c = *content_;
+  const auto& line = c.landmarkParts.places().approach;
+  if (!line || c.view.pixel_mm <= 0.0) return std::nullopt;
+  const Eigen::Vector3d& inner = (*line)[1];
+  // the projection is parallel
+  const Eigen::Vector2d from = placeIn(c.renderer, inner);
+  const double perMm_px = (placeIn(c.renderer, inner + c.view.right) - from).norm();
+  const Eigen::Vector2d by_mm = (place_px - from) / std::max(perMm_px, 1e-9);
+  const Eigen::Vector3d to =
+      by_mm.x() * c.view.right - by_mm.y() * c.view.up + toViewer_mm * c.view.back;
+  if (to.norm() < 1e-6) return std::nullopt;
+  return (c.picture.linear().inverse() * to).normalized();
 }
 
 std::vector<SceneAnchor> BoneLayer::anchors() const

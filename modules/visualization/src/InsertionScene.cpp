@@ -54,17 +54,23 @@ Eigen::Affine3d picturesOf(const PictureSpace& space)
   return picture;
 }
 
+/// From outside into the opening [m, W].
+std::array<Eigen::Vector3d, 2> approachLine(const anatomy::Entry& entry,
+                                            const anatomy::Approach& approach)
+{
+  return {entry.origin_W - approach_m * anatomy::directionOf(approach, entry), entry.origin_W};
+}
+
 }  // namespace
 
-SceneLandmarks landmarksOf(const anatomy::ScalaTympani& scala)
+SceneLandmarks landmarksOf(const anatomy::ScalaTympani& scala, const anatomy::Approach& approach)
 {
-  const anatomy::Entry entry = scala.entry();
   SceneLandmarks landmarks;
   landmarks.roundWindow = scala.wall_W(0.0, 0.0);
   const double base = scala.center_W(0.0).z(), apex = scala.center_W(scala.lastAngle().si()).z();
   landmarks.axis = {Eigen::Vector3d(0.0, 0.0, base - axisBelow_m),
                     Eigen::Vector3d(0.0, 0.0, apex + axisAbove_m)};
-  landmarks.approach = {entry.origin_W + approach_m * entry.out_W, entry.origin_W};
+  landmarks.approach = approachLine(scala.entry(), approach);
   return landmarks;
 }
 
@@ -103,6 +109,7 @@ struct InsertionScene::Content {
 
   vtkNew<vtkOpenGLRenderer> renderer;
   BoneLayer bone;
+  anatomy::Entry entry;
   SceneLandmarks fixedLandmarks;
   vtkNew<vtkContextActor> overlay;
   vtkNew<ScaleBars> bars;
@@ -133,10 +140,10 @@ InsertionScene::Content::Content(const anatomy::ScalaTympani& scala,
       ghost(sceneColorsOf(style.scheme)),
       backdrop(sceneColorsOf(style.scheme)),
       bone(*renderer, picturesOf(space), style),
+      entry(scala.entry()),
       fixedLandmarks(landmarksOf(scala)),
       hasForceScale(style.hasForceScale)
 {
-  const anatomy::Entry entry = scala.entry();
   subject = {scalaParts.low(),
              scalaParts.high(),
              space.place(entry.origin_W),
@@ -348,6 +355,13 @@ bool InsertionScene::isVisible(Part part) const
 }
 
 vtkRenderer& InsertionScene::renderer() { return *content_->renderer; }
+
+void InsertionScene::setApproach(const anatomy::Approach& approach)
+{
+  Content& c = *content_;
+  c.fixedLandmarks.approach = approachLine(c.entry, approach);
+  if (c.bone.isVisible()) c.bone.setLandmarks(c.landmarks());
+}
 
 BoneLayer& InsertionScene::bone() { return content_->bone; }
 

@@ -16,6 +16,7 @@ constexpr int ringPoints = 48;
 constexpr double line_px = 1.3;     // half the width
 constexpr double toward_mm = 45.0;  // before bone and cochlea, behind the near plane of the camera
 constexpr double arrow_mm = 1.0;
+constexpr double dot_mm = 0.15;  // half of a marked point's cross (choice)
 // Part of the line from the opening to where its label points: near it, which every view of the ear shows.
 constexpr double approachLabel = 0.12;
 
@@ -62,6 +63,16 @@ void LandmarkParts::lookFrom(const ViewFrame& view)
       for (const double side : {-0.5, 0.5})
         draw(to, to + arrow_mm * (back + side * aside.normalized()), approachColor);
   }
+  const Rgba courseColor = withOpacity(palette_.forceLow, 0.95);
+  for (const MarkedCourse& course : places_.courses) {
+    for (std::size_t k = 0; k + 1 < course.points.size(); ++k)
+      draw(course.points[k], course.points[k + 1], courseColor);
+    for (const Eigen::Vector3d& point : course.points) {  // a small cross at each
+      draw(point - dot_mm * view.right, point + dot_mm * view.right, courseColor);
+      draw(point - dot_mm * view.up, point + dot_mm * view.up, courseColor);
+    }
+    if (course.distance) draw((*course.distance)[0], (*course.distance)[1], courseColor);
+  }
   if (places_.roundWindow) {
     lines_.begin(LineEdge::firm);
     for (int k = 0; k <= ringPoints; ++k) {
@@ -92,6 +103,11 @@ std::vector<SceneAnchor> LandmarkParts::anchorsIn(vtkRenderer& renderer) const
         {Kind::contact, static_cast<int>(k) + 1, {}, placeIn(renderer, places_.contacts[k])});
   for (const auto& [name, place] : places_.others)
     anchors.push_back({Kind::other, 0, name, placeIn(renderer, place)});
+  for (const MarkedCourse& course : places_.courses)
+    if (!course.points.empty())
+      anchors.push_back(
+          {Kind::other, 0, course.name,
+           placeIn(renderer, course.distance ? (*course.distance)[0] : course.points.front())});
   return anchors;
 }
 

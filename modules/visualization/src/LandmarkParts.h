@@ -28,6 +28,7 @@ struct LandmarkPlaces {
   std::optional<std::array<Eigen::Vector3d, 2>> approach;  ///< From outside into the opening.
   std::vector<Eigen::Vector3d> contacts;                   ///< Number 1 at the tip.
   std::vector<std::pair<std::string, Eigen::Vector3d>> others;  ///< By name.
+  std::vector<MarkedCourse> courses;
 };
 
 /// Lines on top of everything else: in a parallel projection they are moved toward the viewer.

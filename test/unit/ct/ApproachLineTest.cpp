@@ -41,14 +41,7 @@ CochleaMeasures inRandomPose(std::mt19937& dice, bool isLeft)
 }
 
 /// Voxels with these edges along x, y and z.
-CtVolume volumeOf(const Vector3d& spacing_mm)
-{
-  Eigen::Matrix4d lps = Eigen::Matrix4d::Identity();
-  lps.block<3, 3>(0, 0) = spacing_mm.asDiagonal();
-  auto made = CtVolume::make({2, 2, 2}, lps, std::vector<std::int16_t>(8, 0));
-  EXPECT_TRUE(made);
-  return *std::move(made);
-}
+Eigen::Matrix3d voxels(const Vector3d& edges_mm) { return edges_mm.asDiagonal(); }
 
 TEST(TheLineOfApproach, HasItsAnglesToTheBasalTurnInThePatientToo)
 {
@@ -91,7 +84,7 @@ TEST(TheLineOfApproach, HasItsAnglesToTheBasalTurnInThePatientToo)
 TEST(DistanceToLine, IsTheLegOfARightTriangle)
 {
   const ApproachLine line{{10, 0, 0}, {0, 0, 1}};
-  const CtVolume volume = volumeOf({0.2, 0.2, 0.2});
+  const Eigen::Matrix3d volume = voxels({0.2, 0.2, 0.2});
   const std::vector<Vector3d> beside{{13, 4, 12}};  // legs 3 and 4
   const DistanceToLine found = distanceToLine(beside, line, volume);
   EXPECT_NEAR(found.distance_mm, 5.0, 1e-12);
@@ -110,7 +103,7 @@ TEST(DistanceToLine, IsTheLeastOfAFineSampling)
 {
   std::mt19937 dice(11);
   std::uniform_real_distribution<double> place(-15.0, 15.0);
-  const CtVolume volume = volumeOf({0.3, 0.3, 0.6});
+  const Eigen::Matrix3d volume = voxels({0.3, 0.3, 0.6});
   const auto random = [&] { return Vector3d(place(dice), place(dice), place(dice)); };
   for (int k = 0; k < 60; ++k) {
     const ApproachLine line{random(), random().normalized()};
@@ -132,9 +125,14 @@ TEST(DistanceToLine, HasTheErrorOfPlacingAndOfTheVoxelAcross)
   const ApproachLine line{{0, 0, 0}, {0, 0, 1}};
   const std::vector<Vector3d> along_x{{4, 0, 9}}, along_y{{0, 4, 9}};
   // placing with a standard deviation of 0.3 mm; a uniform place within 1.2 mm has 1.2 / sqrt(12)
-  const CtVolume volume = volumeOf({1.2, 0.0012, 0.6});
+  const Eigen::Matrix3d volume = voxels({1.2, 0.0012, 0.6});
   EXPECT_NEAR(distanceToLine(along_x, line, volume).sd_mm, std::hypot(0.3, 0.34641), 1e-4);
   EXPECT_NEAR(distanceToLine(along_y, line, volume).sd_mm, 0.3, 1e-4);
+  // along the diagonal of an oblique voxel
+  const Eigen::Matrix3d oblique =
+      Eigen::AngleAxisd(pi / 4.0, Vector3d::UnitZ()).toRotationMatrix() * volume;
+  EXPECT_NEAR(distanceToLine(along_x, line, oblique).sd_mm,
+              std::hypot(0.3, 0.34641 * std::sqrt(0.5)), 1e-4);
   // on the line, the voxel's longest edge
   const std::vector<Vector3d> on{{0, 0, 3}};
   EXPECT_NEAR(distanceToLine(on, line, volume).sd_mm, std::hypot(0.3, 0.34641), 1e-4);
@@ -143,7 +141,7 @@ TEST(DistanceToLine, HasTheErrorOfPlacingAndOfTheVoxelAcross)
   std::mt19937 dice(5);
   std::normal_distribution<double> placing(0.0, 0.3);
   std::uniform_real_distribution<double> voxel(-0.2, 0.2);
-  const CtVolume cubes = volumeOf({0.4, 0.4, 0.4});
+  const Eigen::Matrix3d cubes = voxels({0.4, 0.4, 0.4});
   int within = 0;
   constexpr int trials = 4000;
   for (int k = 0; k < trials; ++k) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "perilymph/anatomy/Approach.h"
 #include "perilymph/electrode/WirePacking.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Hash.h"
@@ -98,8 +99,9 @@ void readMotion(ScenarioKeys& keys, InsertionParameters& parameters)
   // drilled.
   parameters.cochlea.leadIn = millimeters(keys.number("lead_in_mm", {0.0, 5.0}, 1.0));
   // Beyond this the array meets the edge of the opening first.
-  parameters.approachTilt = degrees(keys.number("approach_tilt_deg", {-30.0, 30.0}, 0.0));
-  parameters.approachTurn = degrees(keys.number("approach_turn_deg", {-30.0, 30.0}, 0.0));
+  constexpr Range approach_deg{-anatomy::steepestApproach_deg, anatomy::steepestApproach_deg};
+  parameters.approachTilt = degrees(keys.number("approach_tilt_deg", approach_deg, 0.0));
+  parameters.approachTurn = degrees(keys.number("approach_turn_deg", approach_deg, 0.0));
 }
 
 /// The roof: Teflon in the published experiment, a membrane in a cochlea.

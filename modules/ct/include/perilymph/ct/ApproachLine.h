@@ -7,7 +7,6 @@
 #include <span>
 
 #include "perilymph/anatomy/Approach.h"
-#include "perilymph/ct/CtVolume.h"
 #include "perilymph/ct/Measures.h"
 
 namespace perilymph::ct {
@@ -41,8 +40,9 @@ struct DistanceToLine {
   Eigen::Vector3d mark_P = Eigen::Vector3d::Zero();  ///< The nearest point of the mark.
 };
 
-/// @param points_P  The mark: a point, or more that are connected in their order [mm]; not empty.
+/// @param points_P      The mark: a point, or more that are connected in their order [mm]; not empty.
+/// @param voxelEdges_P  Edges of a voxel, as columns [mm].
 DistanceToLine distanceToLine(std::span<const Eigen::Vector3d> points_P, const ApproachLine& line,
-                              const CtVolume& volume);
+                              const Eigen::Matrix3d& voxelEdges_P);
 
 }  // namespace perilymph::ct

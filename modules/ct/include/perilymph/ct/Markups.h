@@ -24,6 +24,7 @@ enum class MarkupKind {
   facialNerve,    ///< Points along its vertical part; one or more.
   chordaTympani,  ///< Points along it; one or more.
   canalWall,      ///< Points on the posterior wall of the ear canal; one or more.
+  approach,       ///< Line of approach: a point outside, then the center of the opening.
 };
 
 /// Their names in files.
@@ -33,7 +34,12 @@ inline constexpr std::array markupKinds{
     Choice<MarkupKind>{MarkupKind::note, "note"},
     Choice<MarkupKind>{MarkupKind::facialNerve, "facial_nerve"},
     Choice<MarkupKind>{MarkupKind::chordaTympani, "chorda_tympani"},
-    Choice<MarkupKind>{MarkupKind::canalWall, "canal_wall"}};
+    Choice<MarkupKind>{MarkupKind::canalWall, "canal_wall"},
+    Choice<MarkupKind>{MarkupKind::approach, "approach"}};
+
+/// The structures of the approach, whose distances from the line of approach are shown.
+inline constexpr std::array approachStructures{MarkupKind::facialNerve, MarkupKind::chordaTympani,
+                                               MarkupKind::canalWall};
 
 /// Limits of the markups of a CT [entries, points, bytes of UTF-8].
 inline constexpr std::size_t maxMarkups = 200, maxMarkupPoints = 100, maxMarkupText = 400;

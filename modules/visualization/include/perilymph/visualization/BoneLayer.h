@@ -43,6 +43,14 @@ struct BoneModel {
 /// The plane a length [m] further to the removed side, within the ball of a model.
 CutPlane moved(const CutPlane& cut, double length, const BoneModel& bone);
 
+/// A structure that a person marked along its course, in the frame of a scene's model [m].
+struct MarkedCourse {
+  std::string name;  ///< In the picture (UTF-8).
+  std::vector<Eigen::Vector3d> points;
+  /// From its nearest point to the line of approach.
+  std::optional<std::array<Eigen::Vector3d, 2>> distance;
+};
+
 /// Places that a surgeon finds the way by, in the frame of a scene's model [m].
 struct SceneLandmarks {
   std::optional<Eigen::Vector3d> roundWindow;
@@ -51,6 +59,7 @@ struct SceneLandmarks {
   std::vector<Eigen::Vector3d> contacts;                   ///< Number 1 at the tip.
   /// Others, with their names in the picture (UTF-8).
   std::vector<std::pair<std::string, Eigen::Vector3d>> others;
+  std::vector<MarkedCourse> courses;
 };
 
 /// A place of a scene that has a name in the picture.
@@ -67,6 +76,12 @@ struct CutHandle {
   Eigen::Vector2d at_px;  ///< From the upper left corner, device pixels.
   Eigen::Vector2d
       per_mm;  ///< Motion in the picture when the cut moves to the removed side [px/mm].
+};
+
+/// Where the line of approach is held to be turned about its inner end.
+struct ApproachHandle {
+  Eigen::Vector2d at_px;  ///< From the upper left corner, device pixels.
+  double toViewer_mm;     ///< From the plane of the picture through the inner end.
 };
 
 /// Bone and landmarks of a scene, which owns it; hidden at first.
@@ -100,6 +115,13 @@ public:
 
   /// Where the cut is held in the last picture; empty without bone or while hidden.
   std::optional<CutHandle> handle() const;
+  /// Where the line of approach is held in the last picture: its outer end, or where it leaves the
+  /// picture, with a margin [device pixels]. Empty without the line or while hidden.
+  std::optional<ApproachHandle> approachHandle(double margin_px) const;
+  /// Unit direction, in the frame of the scene's model, from the inner end of the line of approach to what
+  /// lies at a place of the last picture, in front of the inner end by a distance. Empty without the line.
+  std::optional<Eigen::Vector3d> approachTo(const Eigen::Vector2d& place_px,
+                                            double toViewer_mm) const;
   /// Where the landmarks are in the last picture; none while hidden.
   std::vector<SceneAnchor> anchors() const;
   /// Triangles of the bone's surface that is shown.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "perilymph/anatomy/Approach.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/anatomy/ScalaTympani.h"
 #include "perilymph/electrode/ArrayDesign.h"
@@ -60,7 +61,8 @@ struct FreeArea {
 inline constexpr double eyeAngle_deg = 5.5;
 
 /// Round window, modiolar axis and line of approach of a scala [m, W].
-SceneLandmarks landmarksOf(const anatomy::ScalaTympani& scala);
+SceneLandmarks landmarksOf(const anatomy::ScalaTympani& scala,
+                           const anatomy::Approach& approach = {});
 
 /// The scala tympani, the array in it and the forces between them. Millimeters inside VTK; a left
 /// ear is mirrored here, y to -y.
@@ -90,6 +92,8 @@ public:
 
   void setVisible(Part part, bool visible);
   bool isVisible(Part part) const;
+  /// Shows the line of approach in another direction than the axis of the opening.
+  void setApproach(const anatomy::Approach& approach);
   /// Bone of the patient's CT in W, and the landmarks, which are those of the scala.
   BoneLayer& bone();
   /// Shows and hides the same parts as another scene.

@@ -96,6 +96,8 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
   keys.add(Gesture{ct, tr("Click; drag a landmark"), tr("move the crosshair; move the landmark")});
   keys.add(Gesture{ct, tr("Wheel, Up, Down; Ctrl+wheel, +, -"), tr("layers; zoom")});
   keys.add(Gesture{ct, tr("Right drag; middle or Shift+drag"), tr("brightness and contrast; pan")});
+  keys.add(Gesture{ct, tr("Bone: drag the handle of the line, Shift+arrow keys; Home"),
+                   tr("turn the line of approach; along the axis of the opening")});
   addPageKeys(keys, window);
   qApp->installEventFilter(new AltKeys(keys, window));
   keys.add({section,

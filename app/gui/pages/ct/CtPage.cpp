@@ -19,8 +19,10 @@
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/RecentScans.h"
 #include "gui/pages/ct/SurfaceView.h"
+#include "gui/run/ScenarioApproach.h"
 #include "gui/setup/KeyImage.h"
 #include "gui/setup/MeasureVersions.h"
+#include "gui/setup/PatientLibrary.h"
 #include "gui/setup/ScanFolders.h"
 #include "gui/setup/VersionQuestion.h"
 #include "gui/text/DataText.h"
@@ -34,6 +36,7 @@
 #include "perilymph/imaging/MeasuredPicture.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 #include "perilymph/imaging/PlanFiles.h"
+#include "perilymph/session/PatientRecord.h"
 
 namespace perilymph::gui {
 
@@ -106,6 +109,8 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   connect(&study_, &CtStudy::changed, this, [this] {
     if (stages_->currentWidget() != archive_) showArchive(false);
   });
+  connect(&study_, &CtStudy::approachGiven, this, &CtPage::giveApproach);
+  connect(&study_, &CtStudy::markupsGiven, this, &CtPage::keepMarkups);
   connectWork();
   connectPanel();
   connectArchive();
@@ -202,6 +207,7 @@ void CtPage::showCt(imaging::LoadedCt&& loaded)
   for (const session::PatientLandmark& each : request.landmarks)
     if (const auto mark = ct::markNamed(each.name); mark && each.isByHand)
       marks[*mark] = Eigen::Vector3d(each.lps_mm[0], each.lps_mm[1], each.lps_mm[2]);
+  showKeptMarkups();
   side_ = request.side;
   isReopening_ = !marks.isEmpty();
   if (isReopening_) study_.setMarks(marks);
@@ -250,6 +256,10 @@ void CtPage::connectPanel()
     for (PlaneView* view : views_) view->setPlaced(mark);
     panel_->showMark(mark);
   });
+  connect(panel_, &CtPanel::structureRequested, this,
+          [this](const std::optional<ct::MarkupKind>& structure) {
+            for (PlaneView* view : views_) view->setMarked(structure);
+          });
   connect(panel_, &CtPanel::insertRequested, this, [this](const QString& code) {
     withFreshMeasures([this, code] { withFreeCode(code, [this, code] { insert(code); }); });
   });
@@ -326,6 +336,7 @@ bool CtPage::cancel()
     if (!archive_->cancel()) showArchive(false);
     return true;
   }
+  if (panel_->endStructure()) return true;
   if (!work_.isBusy()) return false;
   work_.cancel();
   return true;
@@ -352,13 +363,68 @@ bool CtPage::isMeasured(const anatomy::Patient& inserted) const
   return numbers(inserted) == numbers(measured);
 }
 
+void CtPage::giveApproach()
+{
+  const auto approach = study_.approach();
+  if (!approach) return;
+  if (insertionSetup_.scenario && isInMeasuredCochlea(insertionSetup_.scenario())) {
+    if (areSame(perilymph::gui::approachOf(insertionSetup_.scenario()), *approach)) return;
+    if (!insertionSetup_.mayChange()) {
+      followSetup();
+      return panel_->showIdle(
+          tr("An insertion into this cochlea is in progress, or is replayed: reset it, or close "
+             "the replay, to turn its line of approach."),
+          true);
+    }
+    insertionSetup_.change(approachChange(*approach));
+  }
+  Q_EMIT approachChanged();
+}
+
+void CtPage::keepMarkups()
+{
+  if (!patient_ || !study_.hasCt()) return;
+  const ct::CtMarkups markups = study_.markupsToKeep();
+  if (markups.seriesKey != patient_->origin.seriesKey) return;
+  const auto kept = session::changePatientRecord(
+      libraryFileOf(*patient_),
+      [&markups](session::PatientRecord& record) { session::setMarkups(record, markups); });
+  if (!kept) panel_->showIdle(dataText(kept.error().message), true);
+}
+
+void CtPage::showKeptMarkups()
+{
+  for (const SavedPatient& saved : savedPatients()) {
+    const auto record = session::loadPatientRecord(saved.file);
+    const ct::CtMarkups* const kept =
+        record ? session::markupsOf(*record, study_.series().key) : nullptr;
+    if (kept != nullptr) return study_.showMarkups(*kept);
+  }
+}
+
+void CtPage::followSetup()
+{
+  if (!insertionSetup_.scenario) return;
+  const session::Scenario& scenario = insertionSetup_.scenario();
+  if (!isInMeasuredCochlea(scenario)) return;
+  study_.showApproach(perilymph::gui::approachOf(scenario));
+  Q_EMIT approachChanged();
+}
+
+std::optional<anatomy::Approach> CtPage::approachOf(const anatomy::Patient& patient) const
+{
+  return isMeasured(patient) ? study_.approach() : std::nullopt;
+}
+
 void CtPage::onShown()
 {
+  followSetup();
   const auto scala = control_.sharedAnatomy();
   if (scala == nullptr) return;
   const session::Scenario& scenario = control_.scenario();
   if (!isInMeasuredCochlea(scenario)) return study_.setArray({});
-  study_.setArray(insertedArray(*study_.measures(), scenario.array(), *scala, control_.now()));
+  study_.setArray(insertedArray(*study_.measures(), scenario.array(), *scala,
+                                perilymph::gui::approachOf(scenario), control_.now()));
 }
 
 std::optional<broadcast::PlacedCt> CtPage::placedCt(const session::Scenario& scenario) const
@@ -394,11 +460,14 @@ void CtPage::withFreeCode(const QString& code, std::function<void()> then)
 
 void CtPage::insert(const QString& code)
 {
-  const auto setup = setupOfMeasures(*study_.measures(), code, study_.former().get());
+  const auto setup =
+      setupOfMeasures(*study_.measures(), code, study_.approach().value_or(anatomy::Approach{}),
+                      study_.former().get());
   if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
   patient_ = imaging::measuredPatient(*study_.measures());
   patient_->label = setup->scenario.patient().label;
   keepKeyImage();
+  keepMarkups();
   Q_EMIT insertionRequested({*setup});
 }
 
@@ -408,6 +477,7 @@ void CtPage::plan(const QString& code)
   if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
   patient_ = *patient;
   keepKeyImage();
+  keepMarkups();
   Q_EMIT planRequested(*patient);
 }
 

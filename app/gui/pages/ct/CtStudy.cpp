@@ -3,7 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "gui/run/ScenarioApproach.h"
+#include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/imaging/MeasuredPatient.h"
 
 namespace perilymph::gui {
 
@@ -14,6 +19,18 @@ constexpr double largestPicture_px = 400.0;  // a larger view shows more around
 constexpr double minPicture_px = 64.0;       // of a picture in which anything can be seen (choice)
 constexpr double cochleaPicture_mm = 16.0;   // the basal turn with its surroundings
 constexpr std::size_t maxUndo = 100;
+constexpr double keptApproach_mm = 20.0;  // of the line, outside: no angle depends on it
+
+/// The opening of the anatomy that is built from measures.
+std::optional<anatomy::Entry> openingOf(const ct::CochleaMeasures& measures)
+{
+  const auto scala = anatomy::buildAnatomy(
+      {anatomy::AnatomySource::mean, imaging::measuredPatient(measures)}, "the measured cochlea");
+  if (!scala) return std::nullopt;
+  return (*scala)->entry();
+}
+
+Angle toTenths(Angle angle) { return degrees(std::round(10.0 * inDegrees(angle)) / 10.0); }
 
 }  // namespace
 
@@ -73,6 +90,7 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures, const ct::Marks& atReque
 void CtStudy::showMeasured(ct::CochleaMeasures measures)
 {
   now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
+  now_.opening = openingOf(*now_.measures);
   array_ = {};
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
@@ -223,11 +241,164 @@ void CtStudy::keepForUndo()
   redoStack_.clear();
 }
 
+std::optional<anatomy::Approach> CtStudy::approach() const
+{
+  if (!now_.opening) return std::nullopt;
+  if (!now_.outward_P) return anatomy::Approach{};
+  return anatomy::withinLimits(ct::approachAlong(*now_.measures, *now_.opening, *now_.outward_P));
+}
+
+std::optional<ct::ApproachLine> CtStudy::approachLine() const
+{
+  const auto shown = approach();
+  if (!shown) return std::nullopt;
+  return ct::approachLine(*now_.measures, *now_.opening, *shown);
+}
+
+std::optional<anatomy::BasalTurnAngles> CtStudy::approachAngles() const
+{
+  const auto shown = approach();
+  if (!shown) return std::nullopt;
+  return anatomy::anglesToBasalTurn(*shown, *now_.opening);
+}
+
+bool CtStudy::isApproachAtLimit() const
+{
+  const auto shown = approach();
+  const auto isSteepest = [](Angle angle) {
+    return std::fabs(inDegrees(angle)) > anatomy::steepestApproach_deg - 1e-6;
+  };
+  return shown && (isSteepest(shown->tilt) || isSteepest(shown->turn));
+}
+
+void CtStudy::turnApproach(const Eigen::Vector3d& outward_P)
+{
+  if (!now_.opening) return;
+  const anatomy::Approach wanted =
+      anatomy::withinLimits(ct::approachAlong(*now_.measures, *now_.opening, outward_P));
+  turnApproach(anatomy::anglesToBasalTurn(wanted, *now_.opening));
+}
+
+void CtStudy::turnApproach(const anatomy::BasalTurnAngles& angles)
+{
+  if (!now_.opening) return;
+  keepChange();
+  const anatomy::Approach turned = anatomy::withinLimits(
+      anatomy::approachAt({toTenths(angles.inPlane), toTenths(angles.outOfPlane)}, *now_.opening));
+  now_.outward_P = ct::approachLine(*now_.measures, *now_.opening, turned).outward_P;
+  Q_EMIT approachMoved();
+}
+
+void CtStudy::endChange()
+{
+  isChangeOpen_ = false;
+  announceModel();
+  Q_EMIT approachGiven();
+  Q_EMIT markupsGiven();
+}
+
+void CtStudy::resetApproach()
+{
+  if (!now_.outward_P) return;
+  beginChange();
+  keepChange();
+  now_.outward_P.reset();
+  endChange();
+}
+
+void CtStudy::showApproach(const anatomy::Approach& approach)
+{
+  if (!now_.opening) return;
+  if (areSame(*this->approach(), approach)) return;
+  now_.outward_P = ct::approachLine(*now_.measures, *now_.opening, approach).outward_P;
+  announceModel();
+}
+
+ct::CtMarkups CtStudy::markupsToKeep() const
+{
+  ct::CtMarkups kept = ct::markupsOf(*volume_);
+  kept.markups = now_.markups;
+  if (const auto line = approachLine(); line && isApproachTurned())
+    kept.markups.push_back(
+        {ct::MarkupKind::approach, {line->at(keptApproach_mm), line->opening_P}});
+  return kept;
+}
+
+void CtStudy::showMarkups(const ct::CtMarkups& kept)
+{
+  keepForUndo();
+  isChangeOpen_ = false;
+  now_.markups.clear();
+  for (const ct::Markup& each : kept.markups)
+    if (each.kind == ct::MarkupKind::approach)
+      now_.outward_P = (each.points_P[0] - each.points_P[1]).normalized();
+    else
+      now_.markups.push_back(each);
+  announceModel();
+  Q_EMIT approachGiven();
+}
+
+ct::Markup* CtStudy::structureOf(ct::MarkupKind kind)
+{
+  const auto found = std::ranges::find(now_.markups, kind, &ct::Markup::kind);
+  return found == now_.markups.end() ? nullptr : &*found;
+}
+
+std::vector<Eigen::Vector3d> CtStudy::structure(ct::MarkupKind kind) const
+{
+  const auto found = std::ranges::find(now_.markups, kind, &ct::Markup::kind);
+  return found == now_.markups.end() ? std::vector<Eigen::Vector3d>() : found->points_P;
+}
+
+void CtStudy::addPoint(ct::MarkupKind kind, const Eigen::Vector3d& point_P)
+{
+  if (!hasCt() || !volume_->contains(point_P)) return;
+  if (structure(kind).size() >= ct::pointCountOf(kind).most) return;
+  keepChange();
+  if (ct::Markup* const marked = structureOf(kind))
+    marked->points_P.push_back(point_P);
+  else
+    now_.markups.push_back({kind, {point_P}});
+  announceModel();
+}
+
+void CtStudy::movePoint(ct::MarkupKind kind, std::size_t point, const Eigen::Vector3d& point_P)
+{
+  ct::Markup* const marked = structureOf(kind);
+  if (marked == nullptr || point >= marked->points_P.size() || !volume_->contains(point_P)) return;
+  keepChange();
+  structureOf(kind)->points_P[point] = point_P;
+  announceModel();
+}
+
+void CtStudy::removeStructure(ct::MarkupKind kind)
+{
+  if (structureOf(kind) == nullptr) return;
+  beginChange();
+  keepChange();
+  std::erase_if(now_.markups, [kind](const ct::Markup& each) { return each.kind == kind; });
+  announceModel();
+  Q_EMIT markupsGiven();
+}
+
+std::optional<ct::DistanceToLine> CtStudy::distanceFromApproach(ct::MarkupKind kind) const
+{
+  const auto line = approachLine();
+  const std::vector<Eigen::Vector3d> points = structure(kind);
+  if (!line || points.empty()) return std::nullopt;
+  return ct::distanceToLine(points, *line, ct::markupsOf(*volume_).voxelEdges_P);
+}
+
+void CtStudy::keepChange()
+{
+  if (!isChangeOpen_) keepForUndo();
+  isChangeOpen_ = true;
+}
+
 void CtStudy::placeMark(ct::Mark mark, const Eigen::Vector3d& point_P)
 {
   if (!hasCt() || !volume_->contains(point_P)) return;
-  if (!isChangeOpen_) keepForUndo();
-  isChangeOpen_ = true;
+  keepChange();
   now_.marks[mark] = point_P;
   now_.isByHand[static_cast<std::size_t>(mark)] = true;
   announceModel();
@@ -255,6 +426,8 @@ void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
     return showWhole();
   }
   announceModel();
+  Q_EMIT approachGiven();
+  Q_EMIT markupsGiven();
 }
 
 void CtStudy::undo() { restore(undoStack_, redoStack_); }

@@ -6,10 +6,14 @@
 #include <QObject>
 #include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "perilymph/anatomy/Approach.h"
+#include "perilymph/ct/ApproachLine.h"
 #include "perilymph/ct/Marks.h"
+#include "perilymph/ct/Markups.h"
 #include "perilymph/ct/Measures.h"
 #include "perilymph/ct/ViewPlane.h"
 #include "perilymph/imaging/CtSeries.h"
@@ -98,6 +102,45 @@ public:
   void setArray(InsertedArray array);
   const InsertedArray& array() const { return array_; }
 
+  /// The opening of the anatomy that is built from the measures, in its frame W; empty without measures,
+  /// or where none can be built.
+  const std::optional<anatomy::Entry>& opening() const { return now_.opening; }
+  /// The line of approach; empty without an opening. It stays in the patient when the cochlea is measured
+  /// again: its angles are then others. Along the axis of the opening unless it was turned.
+  std::optional<ct::ApproachLine> approachLine() const;
+  /// The same as a scenario has it.
+  std::optional<anatomy::Approach> approach() const;
+  /// Its angles to the basal turn.
+  std::optional<anatomy::BasalTurnAngles> approachAngles() const;
+  /// Whether it is not along the axis of the opening.
+  bool isApproachTurned() const { return now_.outward_P.has_value(); }
+  /// Whether it is at a limit of what a scenario has.
+  bool isApproachAtLimit() const;
+  /// Turns the line outward along a direction of P, within the limits and to a tenth of a degree of its
+  /// angles. Emits approachMoved() only, until endChange().
+  void turnApproach(const Eigen::Vector3d& outward_P);
+  /// The same by its angles.
+  void turnApproach(const anatomy::BasalTurnAngles& angles);
+  /// Puts the line back along the axis of the opening.
+  void resetApproach();
+  /// Shows the approach of an insertion; no step for undo.
+  void showApproach(const anatomy::Approach& approach);
+
+  /// What the user marked besides the landmarks.
+  const std::vector<ct::Markup>& markups() const { return now_.markups; }
+  /// Those of this CT with its series and voxels, and the line of approach if it was turned.
+  ct::CtMarkups markupsToKeep() const;
+  /// Shows markups that were kept, with the line of approach among them; one step for undo.
+  void showMarkups(const ct::CtMarkups& kept);
+  /// The points of a structure; none if it is not marked.
+  std::vector<Eigen::Vector3d> structure(ct::MarkupKind kind) const;
+  /// Adds a point at the end of a structure; moves one of its points; removes the structure.
+  void addPoint(ct::MarkupKind kind, const Eigen::Vector3d& point_P);
+  void movePoint(ct::MarkupKind kind, std::size_t point, const Eigen::Vector3d& point_P);
+  void removeStructure(ct::MarkupKind kind);
+  /// Its distance from the line of approach; empty without either.
+  std::optional<ct::DistanceToLine> distanceFromApproach(ct::MarkupKind kind) const;
+
   /// A contact of an implanted array that was found in this CT.
   struct Contact {
     int number = 0;                                  ///< 1 at the tip.
@@ -123,6 +166,8 @@ public:
   bool isCorrected() const { return !marksByHand().isEmpty(); }
   /// Begins a change of landmarks that undo() takes back as one; without a placement it is not recorded.
   void beginChange() { isChangeOpen_ = false; }
+  /// Ends a change of the line of approach or of a structure: it is given onward.
+  void endChange();
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
   /// Shows landmarks placed by a person, as from a file.
   void setMarks(const ct::Marks& marks);
@@ -133,6 +178,12 @@ public:
   void redo();
 
 Q_SIGNALS:
+  /// The line of approach moved, and may move further.
+  void approachMoved();
+  /// The user turned the line of approach, or took that back.
+  void approachGiven();
+  /// The user changed what is to be kept of markups.
+  void markupsGiven();
   /// Something that is drawn or written changed.
   void changed();
   /// Measures, landmarks or array changed, not only what is looked at; followed by changed().
@@ -146,11 +197,17 @@ private:
     ct::Marks marks;
     std::array<bool, ct::markCount> isByHand{};
     std::shared_ptr<const ct::CochleaMeasures> measures, former;
+    std::optional<anatomy::Entry> opening;
+    /// Direction of the line of approach; empty along the axis of the opening.
+    std::optional<Eigen::Vector3d> outward_P;
+    std::vector<ct::Markup> markups;
   };
 
   void removeAll();
   void announceModel();
   void keepForUndo();
+  void keepChange();
+  ct::Markup* structureOf(ct::MarkupKind kind);
   void restore(std::vector<Placement>& from, std::vector<Placement>& to);
 
   std::shared_ptr<const ct::CtVolume> volume_;

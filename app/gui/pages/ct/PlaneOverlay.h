@@ -24,7 +24,8 @@ QColor colorOfPlane(std::size_t plane);
 /// those near the plane; 0 if it is not drawn.
 double contactOpacity(const CtStudy& study, std::size_t plane, const Eigen::Vector3d& contact_P);
 
-/// Draws crosshair, outline of the measured wall, lines of A, B and H, landmarks, contacts, letters of the
+/// Draws crosshair, outline of the measured wall, lines of A, B and H, line of approach, landmarks, marked
+/// structures, contacts, letters of the
 /// patient's directions, scale bar and name.
 ///
 /// @param size     Of the picture; its center is the plane's center.

@@ -25,12 +25,22 @@ public:
   /// The landmark that the next click places; none if empty.
   void setPlaced(std::optional<ct::Mark> mark);
 
+  /// The structure to which clicks add points; none if empty.
+  void setMarked(std::optional<ct::MarkupKind> structure);
+
   /// The place of a point in the widget [px].
   QPointF placeOf(const Eigen::Vector3d& point_P) const;
   /// The point of the plane under a place of the widget, in P [mm].
   Eigen::Vector3d pointAt(const QPointF& place) const;
   /// The landmark within reach of the mouse; empty without one.
   std::optional<ct::Mark> markAt(const QPointF& place) const;
+  /// A point of a structure.
+  struct StructurePoint {
+    ct::MarkupKind kind;
+    std::size_t number;
+  };
+  /// The point of a structure within reach of the mouse; empty without one.
+  std::optional<StructurePoint> structurePointAt(const QPointF& place) const;
   /// The number of the contact within reach of the mouse; 0 without one.
   int contactAt(const QPointF& place) const;
 
@@ -68,6 +78,8 @@ private:
   CtStudy& study_;
   std::size_t index_;
   std::optional<ct::Mark> placed_, dragged_;
+  std::optional<ct::MarkupKind> marked_;
+  std::optional<StructurePoint> heldPoint_;
   int heldContact_ = 0;
   bool isContactMoved_ = false;
   QPointF mouse_;

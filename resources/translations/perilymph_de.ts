@@ -8253,10 +8253,6 @@
         <translation>Chorda tympani</translation>
     </message>
     <message>
-        <source>Posterior canal wall</source>
-        <translation>Hintere Gehörgangswand</translation>
-    </message>
-    <message>
         <source>Click along the center of its canal: the mastoid part below the lateral semicircular canal, in axial slices from above downward.</source>
         <translation>Entlang der Mitte seines Kanals klicken: den mastoidalen Abschnitt unterhalb des lateralen Bogengangs, in axialen Schichten von oben nach unten.</translation>
     </message>
@@ -8319,6 +8315,10 @@
     <message>
         <source>The simulation allows at most %1° of tilt and of turn from the axis of the opening.</source>
         <translation>Die Simulation erlaubt höchstens %1° Neigung und Drehung gegenüber der Achse der Öffnung.</translation>
+    </message>
+    <message>
+        <source>Canal wall</source>
+        <translation>Gehörgangswand</translation>
     </message>
 </context>
 <context>
@@ -8692,6 +8692,14 @@
     <message>
         <source>Sample rate of the haptic loop, samples that started more than one period late, and frames per second of the window.</source>
         <translation>Abtastrate der haptischen Schleife, Abtastwerte mit mehr als einer Periode Verspätung, und Bilder pro Sekunde des Fensters.</translation>
+    </message>
+    <message>
+        <source>The line of approach. It is turned on the page CT, in the picture of the bone.</source>
+        <translation>Die Zugangslinie. Sie wird auf der Seite CT gedreht, im Bild des Knochens.</translation>
+    </message>
+    <message>
+        <source>Approach: %1</source>
+        <translation>Zugang: %1</translation>
     </message>
 </context>
 <context>

@@ -174,6 +174,8 @@ TEST_F(TheApproach, IsTheSameInTheInsertionAndInThePlan)
   const anatomy::Approach given = *study().approach();
   insert("CT-204");
   expectSame(scenarios(), given);
+  EXPECT_EQ(rig_.label("approachNote"),
+            "Approach: " + gui::approachText(*study().approachAngles()));
   rig_.pressKey(Qt::Key_C);
   keepPicture(rig_.window(), "approach-insert");
 
@@ -226,7 +228,7 @@ TEST_F(TheApproach, HasItsDistanceFromAStructureMarkedInTheSlices)
   rig_.click("structure_facial_nerve");  // ends it: clicks move the crosshair again
   EXPECT_FALSE(page().findChild<QLabel*>("structureGuide")->isVisible());
   QTest::mouseClick(&view(0), Qt::LeftButton, Qt::NoModifier, (center - QPointF(30, 0)).toPoint());
-  const std::vector<Eigen::Vector3d> course = study().structure(ct::MarkupKind::facialNerve);
+  const std::vector<Eigen::Vector3d> course = study().pointsOf(ct::MarkupKind::facialNerve);
   ASSERT_EQ(course.size(), 2u);
   EXPECT_LT((view(0).pointAt((center + QPointF(36, 40)).toPoint()) - course[1]).norm(), 0.3);
 
@@ -255,9 +257,9 @@ TEST_F(TheApproach, HasItsDistanceFromAStructureMarkedInTheSlices)
   // a point is dragged, as one step for undo
   const QPointF at = view(0).placeOf(course[1]);
   drag(view(0), at, {0.0, 12.0});
-  EXPECT_GT((study().structure(ct::MarkupKind::facialNerve)[1] - course[1]).norm(), 0.1);
+  EXPECT_GT((study().pointsOf(ct::MarkupKind::facialNerve)[1] - course[1]).norm(), 0.1);
   rig_.click("undoMarkButton");
-  EXPECT_LT((study().structure(ct::MarkupKind::facialNerve)[1] - course[1]).norm(), 1e-12);
+  EXPECT_LT((study().pointsOf(ct::MarkupKind::facialNerve)[1] - course[1]).norm(), 1e-12);
   EXPECT_EQ(rig_.label("distance_chorda_tympani"), QStringLiteral("–"));
 }
 
@@ -277,7 +279,7 @@ TEST_F(TheApproach, IsKeptWithTheStructuresInThePatientsRecord)
   EXPECT_TRUE(study().markups().empty());
   open(onDisk().folder / "ct");
   measure();
-  ASSERT_EQ(study().structure(ct::MarkupKind::chordaTympani).size(), 1u);
+  ASSERT_EQ(study().pointsOf(ct::MarkupKind::chordaTympani).size(), 1u);
   expectSame(*study().approach(), given);
   EXPECT_EQ(rig_.label("distance_chorda_tympani").left(3), QStringLiteral("0.0"));
 }

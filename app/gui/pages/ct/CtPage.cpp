@@ -110,11 +110,13 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
     if (stages_->currentWidget() != archive_) showArchive(false);
   });
   connect(&study_, &CtStudy::approachGiven, this, &CtPage::giveApproach);
-  connect(&study_, &CtStudy::markupsGiven, this, &CtPage::keepMarkups);
   connectWork();
   connectPanel();
   connectArchive();
+  connectMarkups();
 }
+
+CtPage::~CtPage() { keepMarkups(); }
 
 Page::Acceptance CtPage::accepts(const std::filesystem::path& file) const
 {
@@ -173,6 +175,7 @@ void CtPage::showNotes()
 
 void CtPage::leaveScan()
 {
+  keepMarkups();
   study_.clear();
   notes_.clear();
   if (codeOf_.empty() || panel_->code().isEmpty()) return;
@@ -192,6 +195,7 @@ void CtPage::showCt(imaging::LoadedCt&& loaded)
   QStringList notes;
   for (const Sentence& warning : loaded.series.warnings) notes << dataText(warning);
   notes_ = notes.join(QLatin1Char('\n'));
+  keepMarkups();
   study_.setCt(std::move(loaded));
   rememberScan(study_.series().key, list_.path);
   const std::string& key = study_.series().key;
@@ -381,25 +385,51 @@ void CtPage::giveApproach()
   Q_EMIT approachChanged();
 }
 
-void CtPage::keepMarkups()
+void CtPage::connectMarkups()
 {
-  if (!patient_ || !study_.hasCt()) return;
-  const ct::CtMarkups markups = study_.markupsToKeep();
-  if (markups.seriesKey != patient_->origin.seriesKey) return;
-  const auto kept = session::changePatientRecord(
-      libraryFileOf(*patient_),
-      [&markups](session::PatientRecord& record) { session::setMarkups(record, markups); });
-  if (!kept) panel_->showIdle(dataText(kept.error().message), true);
+  constexpr int pause_ms = 500;  // a drag changes them with every motion of the mouse
+  keeping_.setSingleShot(true);
+  keeping_.setInterval(pause_ms);
+  connect(&keeping_, &QTimer::timeout, this, &CtPage::keepMarkups);
+  connect(&study_, &CtStudy::markupsChanged, this, [this] {
+    if (!isShowingKept_ && study_.hasCt()) keeping_.start();
+  });
 }
 
 void CtPage::showKeptMarkups()
 {
-  for (const SavedPatient& saved : savedPatients()) {
-    const auto record = session::loadPatientRecord(saved.file);
-    const ct::CtMarkups* const kept =
-        record ? session::markupsOf(*record, study_.series().key) : nullptr;
-    if (kept != nullptr) return study_.showMarkups(*kept);
+  const std::string& key = study_.series().key;
+  markupFile_.clear();
+  std::vector<ct::Markup> kept;
+  for (const SavedPatient& each : savedPatients()) {
+    const ct::CtMarkups* found = session::markupsOf(each.record, key);
+    if (found == nullptr) continue;
+    kept = found->markups;
+    markupFile_ = each.file;
+    break;  // the patient who was used last
   }
+  if (markupFile_.empty())
+    if (const auto found = markupsOfSeries_.find(key); found != markupsOfSeries_.end())
+      kept = found->second;
+  isShowingKept_ = true;
+  study_.showMarkups(std::move(kept));
+  isShowingKept_ = false;
+}
+
+void CtPage::keepMarkups()
+{
+  keeping_.stop();
+  if (!study_.hasCt()) return;
+  const ct::CtMarkups markups = study_.ctMarkups();
+  markupsOfSeries_[markups.seriesKey] = markups.markups;
+  if (markupFile_.empty()) return;
+  const auto before = session::loadPatientRecord(markupFile_);
+  const ct::CtMarkups* known = before ? session::markupsOf(*before, markups.seriesKey) : nullptr;
+  const bool isKept = known != nullptr ? *known == markups : markups.markups.empty();
+  if (isKept && before) return;
+  const auto kept = session::changePatientRecord(
+      markupFile_, [&](session::PatientRecord& record) { session::setMarkups(record, markups); });
+  if (!kept) panel_->showIdle(dataText(kept.error().message), true);
 }
 
 void CtPage::followSetup()
@@ -467,6 +497,7 @@ void CtPage::insert(const QString& code)
   patient_ = imaging::measuredPatient(*study_.measures());
   patient_->label = setup->scenario.patient().label;
   keepKeyImage();
+  markupFile_ = libraryFileOf(*patient_);
   keepMarkups();
   Q_EMIT insertionRequested({*setup});
 }
@@ -477,6 +508,7 @@ void CtPage::plan(const QString& code)
   if (!patient) return panel_->showIdle(dataText(patient.error().message), true);
   patient_ = *patient;
   keepKeyImage();
+  markupFile_ = libraryFileOf(*patient_);
   keepMarkups();
   Q_EMIT planRequested(*patient);
 }

@@ -4,9 +4,11 @@
 // The page CT: from the patient's scan to the patient's cochlea.
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -34,6 +36,7 @@ class CtPage : public Page {
 public:
   /// @param control  The insertion, shown in the pictures if it is in the cochlea measured here.
   CtPage(const InsertionControl& control, QWidget* parent);
+  ~CtPage() override;  ///< Keeps what was marked.
 
   /// Opens a folder or a file with a CT; the series that suits a cochlea best is read, and its cochlea
   /// is measured. Esc ends that; the CT stays.
@@ -48,6 +51,8 @@ public:
   bool cancel() override;
   /// Shows the array where it is now.
   void onShown() override;
+  /// Keeps what was marked.
+  void onHidden() override { keepMarkups(); }
 
   /// The CT and the cochlea in it, if that is the scenario's.
   std::optional<broadcast::PlacedCt> placedCt(const session::Scenario& scenario) const;
@@ -121,10 +126,11 @@ private:
   void insert(const QString& code);
   /// Gives the line of approach to an insertion into the measured cochlea.
   void giveApproach();
-  /// Keeps what was marked in the record of the patient that the measures were saved of.
-  void keepMarkups();
-  /// Shows what was marked in this CT, of the saved patient who has it.
+  void connectMarkups();
+  /// Shows the markups that are kept of the CT: with a patient, or since the program was started.
   void showKeptMarkups();
+  /// Keeps them with the patient, if there is one.
+  void keepMarkups();
   void plan(const QString& code);
   /// Shows one view alone, or all again.
   void maximize(QWidget* chosen);
@@ -163,6 +169,12 @@ private:
   ArchiveView* archive_;
   std::array<PlaneView*, 3> views_{};
   SurfaceView* surface_;
+  std::filesystem::path
+      markupFile_;  ///< Patient's file with whom markups are kept; empty: none yet.
+  std::map<std::string, std::vector<ct::Markup>>
+      markupsOfSeries_;  ///< Markups of the CTs that were open, by series.
+  bool isShowingKept_ = false;
+  QTimer keeping_;  ///< Runs from a change of markups until they are kept.
 };
 
 }  // namespace perilymph::gui

@@ -34,7 +34,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, wideWidth_px = 560;
+constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 92;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
 {
@@ -318,13 +318,16 @@ void CtPanel::addStructures(QVBoxLayout& column)
                              .arg(structureGuide(kind)));
     row.distance = panelText({}, 13, this);
     row.distance->setWordWrap(false);
+    row.distance->setMinimumWidth(sized(distanceWidth_px));
     row.distance->setObjectName(
         QStringLiteral("distance_%1").arg(QLatin1String(nameIn(ct::markupKinds, kind))));
     row.distance->setToolTip(
         tr("Shortest distance between the line of approach and the marked course, with its 95 % "
            "interval: from placing by hand (standard deviation 0.3 mm) and from the voxels. It "
            "leaves out the width of the structure and of an instrument, navigation and the hand."));
-    row.remove = rowButton(tr("Remove"), "", this);
+    row.remove = rowButton(QStringLiteral("×"), "", this);
+    row.remove->setFixedWidth(sized(removeWidth_px));
+    row.remove->setToolTip(tr("Remove"));
     row.remove->setProperty("small", true);
     row.remove->setAccessibleName(tr("Remove: %1").arg(structureName(kind)));
     grid->addWidget(row.mark, int(k), 0);
@@ -340,8 +343,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
     connect(row.remove, &QPushButton::clicked, &study_,
             [this, kind] { study_.removeStructure(kind); });
   }
-  grid->setColumnStretch(0, 3);
-  grid->setColumnStretch(1, 2);
+  grid->setColumnStretch(0, 1);
   column.addLayout(grid);
   structureGuide_ = panelText({}, 12, this);
   structureGuide_->setObjectName(QStringLiteral("structureGuide"));
@@ -367,7 +369,7 @@ void CtPanel::showApproach()
     const auto distance = study_.distanceFromApproach(kind);
     row.mark->setEnabled(study_.hasCt());
     row.distance->setText(distance ? distanceText(*distance) : QStringLiteral("–"));
-    row.remove->setEnabled(!study_.structure(kind).empty());
+    row.remove->setEnabled(!study_.pointsOf(kind).empty());
     if (!row.mark->isChecked()) continue;
     structureGuide_->setText(structureGuide(kind));
     structureGuide_->show();

@@ -90,7 +90,12 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures, const ct::Marks& atReque
 void CtStudy::showMeasured(ct::CochleaMeasures measures)
 {
   now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
+  const auto outward = pointsOf(ct::MarkupKind::approach);
   now_.opening = openingOf(*now_.measures);
+  // the line keeps its direction in the patient, through the opening as it is now
+  if (now_.opening && outward.size() == 2)
+    keepLine(anatomy::withinLimits(
+        ct::approachAlong(*now_.measures, *now_.opening, outward[0] - outward[1])));
   array_ = {};
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
@@ -244,8 +249,9 @@ void CtStudy::keepForUndo()
 std::optional<anatomy::Approach> CtStudy::approach() const
 {
   if (!now_.opening) return std::nullopt;
-  if (!now_.outward_P) return anatomy::Approach{};
-  return anatomy::withinLimits(ct::approachAlong(*now_.measures, *now_.opening, *now_.outward_P));
+  const std::vector<Eigen::Vector3d> line = pointsOf(ct::MarkupKind::approach);
+  if (line.size() != 2) return anatomy::Approach{};
+  return anatomy::withinLimits(ct::approachAlong(*now_.measures, *now_.opening, line[0] - line[1]));
 }
 
 std::optional<ct::ApproachLine> CtStudy::approachLine() const
@@ -285,106 +291,113 @@ void CtStudy::turnApproach(const anatomy::BasalTurnAngles& angles)
   keepChange();
   const anatomy::Approach turned = anatomy::withinLimits(
       anatomy::approachAt({toTenths(angles.inPlane), toTenths(angles.outOfPlane)}, *now_.opening));
-  now_.outward_P = ct::approachLine(*now_.measures, *now_.opening, turned).outward_P;
+  keepLine(turned);
   Q_EMIT approachMoved();
+}
+
+void CtStudy::keepLine(const anatomy::Approach& approach)
+{
+  std::erase_if(now_.markups,
+                [](const ct::Markup& each) { return each.kind == ct::MarkupKind::approach; });
+  if (isAlongAxis(approach)) return;
+  const ct::ApproachLine line = ct::approachLine(*now_.measures, *now_.opening, approach);
+  now_.markups.push_back({ct::MarkupKind::approach, {line.at(keptApproach_mm), line.opening_P}});
 }
 
 void CtStudy::endChange()
 {
   isChangeOpen_ = false;
+  Q_EMIT markupsChanged();
   announceModel();
   Q_EMIT approachGiven();
-  Q_EMIT markupsGiven();
 }
 
 void CtStudy::resetApproach()
 {
-  if (!now_.outward_P) return;
+  if (!isApproachTurned()) return;
   beginChange();
   keepChange();
-  now_.outward_P.reset();
+  keepLine({});
   endChange();
 }
 
 void CtStudy::showApproach(const anatomy::Approach& approach)
 {
-  if (!now_.opening) return;
-  if (areSame(*this->approach(), approach)) return;
-  now_.outward_P = ct::approachLine(*now_.measures, *now_.opening, approach).outward_P;
+  if (!now_.opening || areSame(*this->approach(), approach)) return;
+  keepLine(approach);
+  announceMarkups();
+}
+
+void CtStudy::announceMarkups()
+{
+  Q_EMIT markupsChanged();
   announceModel();
 }
 
-ct::CtMarkups CtStudy::markupsToKeep() const
+ct::CtMarkups CtStudy::ctMarkups() const
 {
-  ct::CtMarkups kept = ct::markupsOf(*volume_);
-  kept.markups = now_.markups;
-  if (const auto line = approachLine(); line && isApproachTurned())
-    kept.markups.push_back(
-        {ct::MarkupKind::approach, {line->at(keptApproach_mm), line->opening_P}});
-  return kept;
+  ct::CtMarkups markups = ct::markupsOf(*volume_);
+  markups.seriesKey = series_.key;
+  markups.markups = now_.markups;
+  return markups;
 }
 
-void CtStudy::showMarkups(const ct::CtMarkups& kept)
+void CtStudy::showMarkups(std::vector<ct::Markup> markups)
 {
-  keepForUndo();
-  isChangeOpen_ = false;
-  now_.markups.clear();
-  for (const ct::Markup& each : kept.markups)
-    if (each.kind == ct::MarkupKind::approach)
-      now_.outward_P = (each.points_P[0] - each.points_P[1]).normalized();
-    else
-      now_.markups.push_back(each);
-  announceModel();
-  Q_EMIT approachGiven();
+  now_.markups = std::move(markups);
+  announceMarkups();
 }
 
-ct::Markup* CtStudy::structureOf(ct::MarkupKind kind)
+void CtStudy::moveMarkupPoint(const MarkupPoint& which, const Eigen::Vector3d& point_P)
 {
-  const auto found = std::ranges::find(now_.markups, kind, &ct::Markup::kind);
-  return found == now_.markups.end() ? nullptr : &*found;
+  if (!hasCt() || !volume_->contains(point_P) || which.markup >= now_.markups.size()) return;
+  ct::Markup moved = now_.markups[which.markup];
+  if (which.point >= moved.points_P.size()) return;
+  moved.points_P[which.point] = point_P;
+  if (!ct::checkMarkup(moved)) return;
+  if (!isChangeOpen_) keepForUndo();
+  isChangeOpen_ = true;
+  now_.markups[which.markup] = std::move(moved);
+  announceMarkups();
 }
 
-std::vector<Eigen::Vector3d> CtStudy::structure(ct::MarkupKind kind) const
+std::vector<Eigen::Vector3d> CtStudy::pointsOf(ct::MarkupKind structure) const
 {
-  const auto found = std::ranges::find(now_.markups, kind, &ct::Markup::kind);
+  const auto found = std::ranges::find(now_.markups, structure, &ct::Markup::kind);
   return found == now_.markups.end() ? std::vector<Eigen::Vector3d>() : found->points_P;
 }
 
-void CtStudy::addPoint(ct::MarkupKind kind, const Eigen::Vector3d& point_P)
+void CtStudy::addPoint(ct::MarkupKind structure, const Eigen::Vector3d& point_P)
 {
   if (!hasCt() || !volume_->contains(point_P)) return;
-  if (structure(kind).size() >= ct::pointCountOf(kind).most) return;
-  keepChange();
-  if (ct::Markup* const marked = structureOf(kind))
-    marked->points_P.push_back(point_P);
-  else
-    now_.markups.push_back({kind, {point_P}});
-  announceModel();
-}
-
-void CtStudy::movePoint(ct::MarkupKind kind, std::size_t point, const Eigen::Vector3d& point_P)
-{
-  ct::Markup* const marked = structureOf(kind);
-  if (marked == nullptr || point >= marked->points_P.size() || !volume_->contains(point_P)) return;
-  keepChange();
-  structureOf(kind)->points_P[point] = point_P;
-  announceModel();
-}
-
-void CtStudy::removeStructure(ct::MarkupKind kind)
-{
-  if (structureOf(kind) == nullptr) return;
+  const auto found = std::ranges::find(now_.markups, structure, &ct::Markup::kind);
+  const bool isNew = found == now_.markups.end();
+  if (!isNew && found->points_P.size() >= ct::pointCountOf(structure).most) return;
+  const auto place = found - now_.markups.begin();
   beginChange();
   keepChange();
-  std::erase_if(now_.markups, [kind](const ct::Markup& each) { return each.kind == kind; });
-  announceModel();
-  Q_EMIT markupsGiven();
+  if (isNew)
+    now_.markups.push_back({structure, {point_P}});
+  else
+    now_.markups[std::size_t(place)].points_P.push_back(point_P);
+  announceMarkups();
 }
 
-std::optional<ct::DistanceToLine> CtStudy::distanceFromApproach(ct::MarkupKind kind) const
+void CtStudy::removeStructure(ct::MarkupKind structure)
+{
+  if (pointsOf(structure).empty()) return;
+  beginChange();
+  keepChange();
+  std::erase_if(now_.markups,
+                [structure](const ct::Markup& each) { return each.kind == structure; });
+  isChangeOpen_ = false;
+  announceMarkups();
+}
+
+std::optional<ct::DistanceToLine> CtStudy::distanceFromApproach(ct::MarkupKind structure) const
 {
   const auto line = approachLine();
-  const std::vector<Eigen::Vector3d> points = structure(kind);
+  const std::vector<Eigen::Vector3d> points = pointsOf(structure);
   if (!line || points.empty()) return std::nullopt;
   return ct::distanceToLine(points, *line, ct::markupsOf(*volume_).voxelEdges_P);
 }
@@ -425,9 +438,8 @@ void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
     Q_EMIT modelChanged();
     return showWhole();
   }
-  announceModel();
+  announceMarkups();
   Q_EMIT approachGiven();
-  Q_EMIT markupsGiven();
 }
 
 void CtStudy::undo() { restore(undoStack_, redoStack_); }

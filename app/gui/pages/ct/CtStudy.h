@@ -113,7 +113,7 @@ public:
   /// Its angles to the basal turn.
   std::optional<anatomy::BasalTurnAngles> approachAngles() const;
   /// Whether it is not along the axis of the opening.
-  bool isApproachTurned() const { return now_.outward_P.has_value(); }
+  bool isApproachTurned() const { return !pointsOf(ct::MarkupKind::approach).empty(); }
   /// Whether it is at a limit of what a scenario has.
   bool isApproachAtLimit() const;
   /// Turns the line outward along a direction of P, within the limits and to a tenth of a degree of its
@@ -126,20 +126,28 @@ public:
   /// Shows the approach of an insertion; no step for undo.
   void showApproach(const anatomy::Approach& approach);
 
-  /// What the user marked besides the landmarks.
+  /// What a person marked in this CT: structures, and the line of approach where it was turned.
   const std::vector<ct::Markup>& markups() const { return now_.markups; }
-  /// Those of this CT with its series and voxels, and the line of approach if it was turned.
-  ct::CtMarkups markupsToKeep() const;
-  /// Shows markups that were kept, with the line of approach among them; one step for undo.
-  void showMarkups(const ct::CtMarkups& kept);
+  /// The same with series and voxels.
+  ct::CtMarkups ctMarkups() const;
+  /// Shows markups that were kept of this CT; no step for undo.
+  void showMarkups(std::vector<ct::Markup> markups);
+  /// A point of a markup, by its places in the lists.
+  struct MarkupPoint {
+    std::size_t markup, point;
+    friend bool operator==(const MarkupPoint&, const MarkupPoint&) = default;
+  };
+  /// Moves a point within the volume; it stays where the markup would be impossible. Calls after one
+  /// beginChange() are one step for undo.
+  void moveMarkupPoint(const MarkupPoint& which, const Eigen::Vector3d& point_P);
+
   /// The points of a structure; none if it is not marked.
-  std::vector<Eigen::Vector3d> structure(ct::MarkupKind kind) const;
-  /// Adds a point at the end of a structure; moves one of its points; removes the structure.
-  void addPoint(ct::MarkupKind kind, const Eigen::Vector3d& point_P);
-  void movePoint(ct::MarkupKind kind, std::size_t point, const Eigen::Vector3d& point_P);
-  void removeStructure(ct::MarkupKind kind);
+  std::vector<Eigen::Vector3d> pointsOf(ct::MarkupKind structure) const;
+  /// Adds a point at the end of a structure; removes a structure. One step for undo each.
+  void addPoint(ct::MarkupKind structure, const Eigen::Vector3d& point_P);
+  void removeStructure(ct::MarkupKind structure);
   /// Its distance from the line of approach; empty without either.
-  std::optional<ct::DistanceToLine> distanceFromApproach(ct::MarkupKind kind) const;
+  std::optional<ct::DistanceToLine> distanceFromApproach(ct::MarkupKind structure) const;
 
   /// A contact of an implanted array that was found in this CT.
   struct Contact {
@@ -166,7 +174,7 @@ public:
   bool isCorrected() const { return !marksByHand().isEmpty(); }
   /// Begins a change of landmarks that undo() takes back as one; without a placement it is not recorded.
   void beginChange() { isChangeOpen_ = false; }
-  /// Ends a change of the line of approach or of a structure: it is given onward.
+  /// Ends a turn of the line of approach, which is given onward.
   void endChange();
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
   /// Shows landmarks placed by a person, as from a file.
@@ -182,8 +190,8 @@ Q_SIGNALS:
   void approachMoved();
   /// The user turned the line of approach, or took that back.
   void approachGiven();
-  /// The user changed what is to be kept of markups.
-  void markupsGiven();
+  /// Markups were added, moved, removed, or are others; followed by changed().
+  void markupsChanged();
   /// Something that is drawn or written changed.
   void changed();
   /// Measures, landmarks or array changed, not only what is looked at; followed by changed().
@@ -198,8 +206,6 @@ private:
     std::array<bool, ct::markCount> isByHand{};
     std::shared_ptr<const ct::CochleaMeasures> measures, former;
     std::optional<anatomy::Entry> opening;
-    /// Direction of the line of approach; empty along the axis of the opening.
-    std::optional<Eigen::Vector3d> outward_P;
     std::vector<ct::Markup> markups;
   };
 
@@ -207,7 +213,9 @@ private:
   void announceModel();
   void keepForUndo();
   void keepChange();
-  ct::Markup* structureOf(ct::MarkupKind kind);
+  void announceMarkups();
+  /// Keeps the line of approach among the markups; none along the axis of the opening.
+  void keepLine(const anatomy::Approach& approach);
   void restore(std::vector<Placement>& from, std::vector<Placement>& to);
 
   std::shared_ptr<const ct::CtVolume> volume_;

@@ -56,7 +56,7 @@ QString structureName(ct::MarkupKind structure)
     case ct::MarkupKind::chordaTympani:
       return tr("Chorda tympani");
     case ct::MarkupKind::canalWall:
-      return tr("Posterior canal wall");
+      return tr("Canal wall");
     case ct::MarkupKind::distance:
     case ct::MarkupKind::angle:
     case ct::MarkupKind::note:

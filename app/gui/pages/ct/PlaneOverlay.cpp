@@ -222,7 +222,7 @@ void paintStructures(QPainter& painter, const CtStudy& study, const Projector& p
   std::vector<LabelledPoint> points;
   const QFontMetricsF metrics(painter.font());
   for (const ct::MarkupKind kind : ct::approachStructures) {
-    const std::vector<Eigen::Vector3d> course = study.structure(kind);
+    const std::vector<Eigen::Vector3d> course = study.pointsOf(kind);
     for (std::size_t k = 0; k + 1 < course.size(); ++k)
       paintNear(painter, project, course[k], course[k + 1], colorOf(onCt::structure));
     double clearest = 0.0;

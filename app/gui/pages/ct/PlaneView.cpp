@@ -104,19 +104,20 @@ std::optional<ct::Mark> PlaneView::markAt(const QPointF& place) const
 
 void PlaneView::setMarked(std::optional<ct::MarkupKind> structure) { marked_ = structure; }
 
-std::optional<PlaneView::StructurePoint> PlaneView::structurePointAt(const QPointF& place) const
+std::optional<CtStudy::MarkupPoint> PlaneView::markupAt(const QPointF& place) const
 {
-  std::optional<StructurePoint> nearest;
+  std::optional<CtStudy::MarkupPoint> nearest;
   double reach = reach_px;
-  for (const ct::MarkupKind kind : ct::approachStructures) {
-    const std::vector<Eigen::Vector3d> points = study_.structure(kind);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (std::fabs(plane().behind(points[k])) > markReach_mm) continue;
-      const QPointF away = placeOf(points[k]) - place;
+  const auto& markups = study_.markups();
+  for (std::size_t k = 0; k < markups.size(); ++k) {
+    if (markups[k].kind == ct::MarkupKind::approach) continue;  // it has a handle of its own
+    for (std::size_t point = 0; point < markups[k].points_P.size(); ++point) {
+      if (std::fabs(plane().behind(markups[k].points_P[point])) > markReach_mm) continue;
+      const QPointF away = placeOf(markups[k].points_P[point]) - place;
       const double distance = std::hypot(away.x(), away.y());
       if (distance > reach) continue;
       reach = distance;
-      nearest = StructurePoint{kind, k};
+      nearest = CtStudy::MarkupPoint{k, point};
     }
   }
   return nearest;
@@ -140,10 +141,8 @@ int PlaneView::contactAt(const QPointF& place) const
 std::optional<Eigen::Vector3d> PlaneView::held_P() const
 {
   if (dragged_) return study_.marks()[*dragged_];
-  if (heldPoint_) {
-    const std::vector<Eigen::Vector3d> points = study_.structure(heldPoint_->kind);
-    if (heldPoint_->number < points.size()) return points[heldPoint_->number];
-  }
+  if (heldMarkup_ && heldMarkup_->markup < study_.markups().size())
+    return study_.markups()[heldMarkup_->markup].points_P[heldMarkup_->point];
   for (const CtStudy::Contact& each : study_.contacts())
     if (heldContact_ != 0 && each.number == heldContact_) return each.at_P;
   return std::nullopt;
@@ -155,8 +154,9 @@ bool PlaneView::event(QEvent* event)
   const auto& help = static_cast<const QHelpEvent&>(*event);
   if (const auto mark = markAt(help.pos()))
     QToolTip::showText(help.globalPos(), markName(*mark), this);
-  else if (const auto point = structurePointAt(help.pos()))
-    QToolTip::showText(help.globalPos(), structureName(point->kind), this);
+  else if (const auto markup = markupAt(help.pos()))
+    QToolTip::showText(help.globalPos(), structureName(study_.markups()[markup->markup].kind),
+                       this);
   else
     QToolTip::hideText();
   return true;
@@ -211,13 +211,12 @@ void PlaneView::mousePressEvent(QMouseEvent* event)
     dragged_ = mark;
     study_.placeMark(mark, pointAt(mouse_));
     Q_EMIT markPlaced(mark);
-  } else if ((heldPoint_ = structurePointAt(mouse_))) {
+  } else if ((heldMarkup_ = markupAt(mouse_))) {
     study_.beginChange();
     update();
   } else if (marked_) {
-    study_.beginChange();
     study_.addPoint(*marked_, pointAt(mouse_));
-    heldPoint_ = structurePointAt(mouse_);
+    heldMarkup_ = markupAt(mouse_);
   } else if ((heldContact_ = contactAt(mouse_)) != 0) {
     isContactMoved_ = false;
     study_.chooseContact(heldContact_);
@@ -237,9 +236,8 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event)
   const Qt::MouseButtons held = event->buttons();
   const bool isShift = (event->modifiers() & Qt::ShiftModifier) != 0;
   if (held == Qt::NoButton) {
-    setCursor(markAt(mouse_) || structurePointAt(mouse_) || contactAt(mouse_) != 0
-                  ? Qt::PointingHandCursor
-                  : Qt::CrossCursor);
+    setCursor(markAt(mouse_) || markupAt(mouse_) || contactAt(mouse_) != 0 ? Qt::PointingHandCursor
+                                                                           : Qt::CrossCursor);
   } else if ((held & Qt::MiddleButton) != 0 || ((held & Qt::LeftButton) != 0 && isShift)) {
     const ct::ViewPlane own = plane();
     study_.pan(-study_.pixel_mm() * (moved.x() * own.right_P + moved.y() * own.down_P));
@@ -253,12 +251,12 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event)
     isContactMoved_ = true;
     // its distance from the plane is kept
     study_.moveContact(heldContact_, pointAt(mouse_) + plane().behind(*point_P) * plane().away_P());
-  } else if (heldPoint_) {
+  } else if (heldMarkup_) {
     const auto point_P = held_P();
     if (!point_P) return;
     // its distance from the plane is kept
-    study_.movePoint(heldPoint_->kind, heldPoint_->number,
-                     pointAt(mouse_) + plane().behind(*point_P) * plane().away_P());
+    study_.moveMarkupPoint(*heldMarkup_,
+                           pointAt(mouse_) + plane().behind(*point_P) * plane().away_P());
   } else if (dragged_) {
     const auto& point = study_.marks()[*dragged_];
     const double behind = point ? plane().behind(*point) : 0.0;
@@ -275,7 +273,8 @@ void PlaneView::mouseReleaseEvent(QMouseEvent*)
   const int contact = std::exchange(heldContact_, 0);
   dragged_.reset();
   update();
-  if (std::exchange(heldPoint_, std::nullopt)) study_.endChange();
+  if (heldMarkup_.has_value()) study_.beginChange();
+  heldMarkup_.reset();
   if (contact != 0 && moved_P && std::exchange(isContactMoved_, false))
     Q_EMIT contactMoved(contact, *moved_P);
 }

@@ -34,13 +34,8 @@ public:
   Eigen::Vector3d pointAt(const QPointF& place) const;
   /// The landmark within reach of the mouse; empty without one.
   std::optional<ct::Mark> markAt(const QPointF& place) const;
-  /// A point of a structure.
-  struct StructurePoint {
-    ct::MarkupKind kind;
-    std::size_t number;
-  };
-  /// The point of a structure within reach of the mouse; empty without one.
-  std::optional<StructurePoint> structurePointAt(const QPointF& place) const;
+  /// The point of a markup within reach of the mouse that is drawn in this plane; empty without one.
+  std::optional<CtStudy::MarkupPoint> markupAt(const QPointF& place) const;
   /// The number of the contact within reach of the mouse; 0 without one.
   int contactAt(const QPointF& place) const;
 
@@ -79,7 +74,7 @@ private:
   std::size_t index_;
   std::optional<ct::Mark> placed_, dragged_;
   std::optional<ct::MarkupKind> marked_;
-  std::optional<StructurePoint> heldPoint_;
+  std::optional<CtStudy::MarkupPoint> heldMarkup_;
   int heldContact_ = 0;
   bool isContactMoved_ = false;
   QPointF mouse_;

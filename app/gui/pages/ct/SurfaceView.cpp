@@ -126,7 +126,7 @@ void SurfaceView::showLandmarks()
                          1e-3 * study_.approachLine()->at(distance->outside_mm)};
     }
     course.name = name.toStdString();
-    for (const Eigen::Vector3d& point : study_.structure(kind))
+    for (const Eigen::Vector3d& point : study_.pointsOf(kind))
       course.points.push_back(1e-3 * point);
     if (!course.points.empty()) landmarks.courses.push_back(std::move(course));
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "gui/report/CtPicture.h"
+#include "gui/setup/EarApproach.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
@@ -323,12 +324,15 @@ QString marks(const PlanReportContent& content)
   const auto from = [](const std::string& text) {
     return QString::fromStdString(text).toHtmlEscaped();
   };
-  QString rows = row(tr("Plan, SHA-256"), content.number().toHtmlEscaped()) +
-                 row(tr("Planned by"), from(content.stored.program)) +
-                 row(tr("Report by"), from(buildId())) +
-                 row(tr("Scenario"), from(plan.request.scenario)) +
-                 row(tr("Friction"), plannedFriction(plan).toHtmlEscaped()) +
-                 row(tr("Seed"), QString::number(plan.request.seed));
+  QString rows =
+      row(tr("Plan, SHA-256"), content.number().toHtmlEscaped()) +
+      row(tr("Planned by"), from(content.stored.program)) + row(tr("Report by"), from(buildId())) +
+      row(tr("Scenario"), from(plan.request.scenario)) +
+      row(tr("Friction"), plannedFriction(plan).toHtmlEscaped()) +
+      row(tr("Approach"), approachText({anatomy::AnatomySource::mean, plan.request.patient},
+                                       plan.request.approach.value_or(anatomy::Approach{}))
+                              .toHtmlEscaped()) +
+      row(tr("Seed"), QString::number(plan.request.seed));
   rows += row(tr("CT series, SHA-256"), plan.request.patient.seal == Seal::changed
                                             ? tr("none: the measures were changed")
                                         : origin.seriesKey.empty() ? tr("none stated")

@@ -9,6 +9,7 @@
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanPicture.h"
 #include "gui/report/ReportSetup.h"
+#include "gui/setup/EarApproach.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/ClinicalText.h"
@@ -230,6 +231,12 @@ QStringList linesOf(const ReportSheet& sheet, const PlanReportContent& content, 
          "again; see the appendix.")
           .arg(content.plan().arrays.front().draws)
           .arg(plannedFriction(content.plan()))};
+  if (const auto& approach = content.plan().request.approach)
+    lines.front() +=
+        QLatin1Char(' ') +
+        tr("Approach, from which simulations deviate: %1.")
+            .arg(approachText({anatomy::AnatomySource::mean, content.plan().request.patient},
+                              *approach));
   lines.prepend(planLimitsText());
   const auto& limits = content.stored.limits;
   for (auto limit = limits.rbegin(); limit != limits.rend(); ++limit) {

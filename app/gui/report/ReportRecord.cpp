@@ -15,6 +15,8 @@
 #include "gui/report/ReportHeader.h"
 #include "gui/report/ReportPicture.h"
 #include "gui/report/ReportSetup.h"
+#include "gui/run/ScenarioApproach.h"
+#include "gui/setup/EarApproach.h"
 #include "gui/text/ClinicalText.h"
 #include "gui/text/Numbers.h"
 
@@ -110,6 +112,10 @@ QString resultsNote(const ReportContent& content)
   sentences << clinics << partition;
   if (const QString ears = frictionInEars(content.scenario); !ears.isEmpty())
     sentences << tr("Friction in ears: %1.").arg(ears);
+  const anatomy::Approach approach = approachOf(content.scenario);
+  if (!isAlongAxis(approach))
+    sentences
+        << tr("Approach: %1.").arg(approachText(content.scenario.parameters().cochlea, approach));
   return sentences.join(QLatin1Char(' '));
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "gui/run/ScenarioApproach.h"
+
 namespace perilymph::gui {
 
 namespace {
@@ -17,7 +19,8 @@ bool PlannedForce::isFor(const session::Scenario& scenario) const
 {
   const anatomy::Patient& other = scenario.patient();
   if (scenario.anatomy() != anatomy::AnatomySource::mean || scenario.arrayName() != array ||
-      other.side != patient.side || !other.basalTurn || !patient.basalTurn)
+      !areSame(approachOf(scenario), approach) || other.side != patient.side || !other.basalTurn ||
+      !patient.basalTurn)
     return false;
   const anatomy::BasalTurn &own = *patient.basalTurn, &turn = *other.basalTurn;
   return areSame(own.a, turn.a) && areSame(own.b, turn.b) &&

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/Approach.h"
 #include "perilymph/anatomy/Patient.h"
 #include "perilymph/planning/PlanResult.h"
 #include "perilymph/session/Scenario.h"
@@ -28,10 +29,11 @@ struct PlannedForce {
   planning::Band peak_mN, end_mN, angle_deg;
   std::optional<planning::Band> after1s_mN;  ///< Empty in plans of versions without it.
   anatomy::Patient patient;
+  anatomy::Approach approach;
   std::string array;  ///< As in a scenario.
   std::vector<Point> points;
 
-  /// Whether a scenario inserts this array into this cochlea.
+  /// Whether a scenario inserts this array into this cochlea, along this line of approach.
   bool isFor(const session::Scenario& scenario) const;
 };
 

@@ -38,7 +38,7 @@ void BoneView::render()
 {
   // before the widget is shown it has no OpenGL context; VTK renders when it gets one
   if (isValid()) renderWindow()->Render();
-  labels_->follow(layer());
+  labels_->follow(layer(), {}, isApproachTurnable());
   update();
 }
 
@@ -82,8 +82,15 @@ void BoneView::focusOutEvent(QFocusEvent* event)
 void BoneView::mousePressEvent(QMouseEvent* event)
 {
   mouse_ = event->localPos();
-  isCutHeld_ = event->button() == Qt::LeftButton &&
-               (labels_->isHandleAt(mouse_) || (event->modifiers() & Qt::ControlModifier) != 0);
+  const bool isLeft = event->button() == Qt::LeftButton;
+  const bool isControl = (event->modifiers() & Qt::ControlModifier) != 0;
+  if (const auto handle = labels_->approachHandle();
+      isLeft && !isControl && handle && labels_->isApproachHandleAt(mouse_)) {
+    heldApproach_ = HeldApproach{handle->at - mouse_, handle->toViewer_mm};
+    beginApproach();
+    return;
+  }
+  isCutHeld_ = isLeft && (labels_->isHandleAt(mouse_) || isControl);
 }
 
 void BoneView::mouseMoveEvent(QMouseEvent* event)
@@ -92,6 +99,7 @@ void BoneView::mouseMoveEvent(QMouseEvent* event)
   const QPointF part = moved / height();
   mouse_ = event->localPos();
   if (layer() == nullptr) return;
+  if (heldApproach_) return followApproach();
   if (isCutHeld_)
     layer()->moveCut(labels_->cutMotion_mm(moved));
   else if ((event->buttons() & Qt::LeftButton) != 0)
@@ -107,6 +115,18 @@ void BoneView::mouseReleaseEvent(QMouseEvent* event)
 {
   isCutHeld_ = false;
   event->accept();
+  if (!heldApproach_ || event->button() != Qt::LeftButton) return;
+  heldApproach_.reset();
+  endApproach(false);
+}
+
+void BoneView::followApproach()
+{
+  const QPointF at = (mouse_ + heldApproach_->aside) * devicePixelRatioF();
+  const auto outward = layer()->approachTo({at.x(), at.y()}, heldApproach_->toViewer_mm);
+  if (!outward) return;
+  turnApproach(*outward);
+  renderMoving();
 }
 
 void BoneView::mouseDoubleClickEvent(QMouseEvent* event)
@@ -125,6 +145,11 @@ void BoneView::wheelEvent(QWheelEvent* event)
 void BoneView::keyPressEvent(QKeyEvent* event)
 {
   if (layer() == nullptr) return PlainVtkWidget::keyPressEvent(event);
+  if (heldApproach_ && event->key() == Qt::Key_Escape) {
+    heldApproach_.reset();
+    endApproach(true);
+    return renderMoving();
+  }
   switch (event->key()) {
     case Qt::Key_PageUp:
       layer()->moveCut(cutOfKey_mm);

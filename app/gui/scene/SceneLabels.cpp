@@ -136,6 +136,11 @@ bool SceneLabels::isHandleAt(const QPointF& place) const
   return at && QLineF(*at, place).length() <= 1.3 * handleRadius_px;
 }
 
+bool SceneLabels::isApproachHandleAt(const QPointF& place) const
+{
+  return approachHandle_ && QLineF(approachHandle_->at, place).length() <= 1.3 * handleRadius_px;
+}
+
 double SceneLabels::cutMotion_mm(const QPointF& moved) const
 {
   if (!handle_) return 0.0;
@@ -143,7 +148,8 @@ double SceneLabels::cutMotion_mm(const QPointF& moved) const
   return per_mm.dot(Eigen::Vector2d(moved.x(), moved.y())) / per_mm.squaredNorm();
 }
 
-void SceneLabels::follow(const visualization::BoneLayer* layer, std::vector<QRectF> taken)
+void SceneLabels::follow(const visualization::BoneLayer* layer, std::vector<QRectF> taken,
+                         bool isApproachTurnable)
 {
   const bool isShown = layer != nullptr && layer->isVisible();
   setVisible(isShown);
@@ -153,10 +159,16 @@ void SceneLabels::follow(const visualization::BoneLayer* layer, std::vector<QRec
         widget != nullptr && widget != this && widget->isVisible())
       taken.emplace_back(widget->geometry());
   if (note_->isVisible()) taken.emplace_back(note_->geometry());
-  if (const auto at = handle()) {
-    const QPointF half(handleRadius_px, handleRadius_px);
-    taken.emplace_back(*at - half, *at + half);
+  approachHandle_.reset();
+  if (isShown && isApproachTurnable) {
+    const double ratio = devicePixelRatioF();
+    if (const auto held = layer->approachHandle(ratio * (handleRadius_px + 2.0)))
+      approachHandle_ =
+          TurnHandle{QPointF(held->at_px.x(), held->at_px.y()) / ratio, held->toViewer_mm};
   }
+  const QPointF half(handleRadius_px, handleRadius_px);
+  if (const auto at = handle()) taken.emplace_back(*at - half, *at + half);
+  if (approachHandle_) taken.emplace_back(approachHandle_->at - half, approachHandle_->at + half);
   labels_ = isShown ? placedLabels(layer->anchors(), devicePixelRatioF(), rect(), font(), taken)
                     : std::vector<PlacedLabel>();
   update();
@@ -185,6 +197,18 @@ void SceneLabels::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(label.place, 3.0, 3.0);
     painter.setPen(theme.text);
     painter.drawText(label.place, Qt::AlignCenter, label.text);
+  }
+  if (approachHandle_) {
+    painter.setPen(QPen(theme.onAccent, 1.5));
+    painter.setBrush(theme.accent);
+    painter.drawEllipse(approachHandle_->at, handleRadius_px, handleRadius_px);
+    // four arrows: it is dragged to any side
+    for (const QPointF& one : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+      const QPointF aside(-one.y(), one.x()), tip = approachHandle_->at + 8.0 * one;
+      painter.drawLine(approachHandle_->at, tip);
+      painter.drawLine(tip, tip - 3.0 * one + 2.5 * aside);
+      painter.drawLine(tip, tip - 3.0 * one - 2.5 * aside);
+    }
   }
   if (const auto at = handle()) {
     painter.setPen(QPen(theme.onAccent, 1.5));

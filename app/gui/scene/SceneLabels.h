@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Names of landmarks and numbers of contacts over a 3D view, and the handle of the cut.
+// Names of landmarks and numbers of contacts over a 3D view, and the handles of cut and approach.
 
 #include <QLabel>
 #include <QWidget>
@@ -38,8 +38,10 @@ public:
   explicit SceneLabels(QWidget& view);
 
   /// Shows what a layer has in the last picture; nothing if null.
-  /// @param taken  Where no label may be, beside the widgets of the view.
-  void follow(const visualization::BoneLayer* layer, std::vector<QRectF> taken = {});
+  /// @param taken               Where no label may be, beside the widgets of the view.
+  /// @param isApproachTurnable  Whether the line of approach has a handle.
+  void follow(const visualization::BoneLayer* layer, std::vector<QRectF> taken = {},
+              bool isApproachTurnable = false);
   /// A sentence in the picture; hidden if empty.
   /// @param place   Its upper left corner.
   /// @param widest  It has more lines rather than a greater width [px].
@@ -53,6 +55,13 @@ public:
   double cutMotion_mm(const QPointF& moved) const;
   /// The handle's center; empty while there is none.
   std::optional<QPointF> handle() const;
+  /// The handle of the line of approach; empty while there is none.
+  struct TurnHandle {
+    QPointF at;
+    double toViewer_mm;  ///< In front of the line's inner end.
+  };
+  const std::optional<TurnHandle>& approachHandle() const { return approachHandle_; }
+  bool isApproachHandleAt(const QPointF& place) const;
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -67,6 +76,7 @@ private:
   int widestNote_px_ = 0;
   std::vector<PlacedLabel> labels_;
   std::optional<visualization::CutHandle> handle_;
+  std::optional<TurnHandle> approachHandle_;
 };
 
 }  // namespace perilymph::gui

@@ -5,6 +5,8 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "gui/run/ScenarioApproach.h"
+#include "gui/setup/EarApproach.h"
 #include "gui/setup/NumberField.h"
 #include "gui/setup/StopTravel.h"
 #include "gui/text/Numbers.h"
@@ -139,6 +141,10 @@ void ArraySection::addContact()
                             {}});
   });
   rows().addWidget(namedRow(tr("Opening"), opening_, body()));
+  approach_ = quietLine(body(), "approachNote");
+  approach_->setToolTip(
+      tr("The line of approach. It is turned on the page CT, in the picture of the bone."));
+  rows().addWidget(approach_);
 }
 
 void ArraySection::addModel()
@@ -208,6 +214,11 @@ void ArraySection::show(const Setup& setup)
   stopNote_->setText(stopText(scenario));
   showFriction(scenario);
   opening_->show(QLatin1String(nameOf(scenario.openingKind())), {});
+  const anatomy::Approach approach = approachOf(scenario);
+  approach_->setVisible(!isAlongAxis(approach));
+  if (!isAlongAxis(approach))
+    approach_->setText(
+        tr("Approach: %1").arg(approachText(scenario.parameters().cochlea, approach)));
 
   const bool isRod = scenario.model() == mechanics::ModelKind::rod;
   model_->show(QLatin1String(session::nameOf(scenario.model())), {});

@@ -55,6 +55,7 @@ private:
   Selector* friction_;
   QLabel* coefficients_;
   Selector* opening_;
+  QLabel* approach_;  ///< Where it is not along the axis of the opening.
   Selector* model_;
   NumberField* nodes_;
 };

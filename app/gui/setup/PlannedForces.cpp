@@ -34,6 +34,7 @@ PlannedForce plannedForce(const planning::Plan& plan, std::size_t array, const s
     force.label += last;
   }
   force.patient = plan.request.patient;
+  force.approach = plan.request.approach.value_or(anatomy::Approach{});
   force.array = plan.request.arrays[array];
   for (const planning::ForceBand& each : planned.force)
     force.points.push_back(
@@ -46,6 +47,7 @@ std::optional<PlannedForce> newestPlannedForce(const session::Scenario& scenario
   for (const StoredPlan& stored : storedPlans()) {
     PlannedForce asked;
     asked.patient = stored.request.patient;
+    asked.approach = stored.request.approach.value_or(anatomy::Approach{});
     for (std::size_t array = 0; array < stored.request.arrays.size(); ++array) {
       asked.array = stored.request.arrays[array];
       if (stored.shownDraws == 0 || !asked.isFor(scenario)) continue;

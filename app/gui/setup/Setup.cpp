@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/Setup.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -313,6 +314,7 @@ std::vector<std::string> differingText(const session::Scenario& one, const sessi
       {Phrase{"full depth"}, named("stop_travel_mm")},
       {Phrase{"friction"}, [](const std::string& key) { return startsWith(key, "friction"); }},
       {Phrase{"opening"}, named("opening")},
+      {Phrase{"approach"}, [](const std::string& key) { return startsWith(key, "approach_"); }},
       {Phrase{"model"}, named("model")},
       {Phrase{"nodes"}, named("nodes")},
       {Phrase{"force scale"}, named("force_scale")},
@@ -376,6 +378,28 @@ Result<session::Scenario> withPatient(const session::Scenario& scenario,
   const auto plain = read(values, fileNameOf(patient.label));
   if (!plain) return plain.error();
   return asOwn(*plain);
+}
+
+SetupChange approachChange(const anatomy::Approach& approach)
+{
+  const auto text = [](Angle angle) {
+    const double rounded = 0.01 * std::round(100.0 * inDegrees(angle));
+    const QString decimal = QString::number(rounded + 0.0, 'g', 6);  // never "-0"
+    return (decimal.contains(QLatin1Char('.')) ? decimal : decimal + QStringLiteral(".0"))
+        .toStdString();
+  };
+  return {SetupField::approach,
+          {{"approach_tilt_deg", text(approach.tilt)}, {"approach_turn_deg", text(approach.turn)}},
+          QCoreApplication::translate("perilymph::gui", "line of approach"),
+          {}};
+}
+
+Result<session::Scenario> withApproach(const session::Scenario& scenario,
+                                       const anatomy::Approach& approach)
+{
+  Values values = scenario.values();
+  for (const auto& [key, value] : approachChange(approach).values) set(values, key, value);
+  return read(values, scenario.name() + ".toml");
 }
 
 Result<session::Scenario> asOwn(const session::Scenario& scenario)

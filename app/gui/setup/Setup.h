@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "perilymph/anatomy/Approach.h"
 #include "perilymph/foundation/Result.h"
 #include "perilymph/session/Scenario.h"
 
@@ -31,6 +32,7 @@ enum class SetupField {
   stopTravel,
   friction,
   opening,
+  approach,
   model,
   nodes,
   forceScale
@@ -93,6 +95,12 @@ Result<session::Scenario> withPatient(const session::Scenario& scenario,
 std::string fileStemOf(const std::string& label);
 /// The same with the ending of a patient file.
 std::string fileNameOf(const std::string& label);
+
+/// The change of a setup to an approach, which is given to a hundredth of a degree.
+SetupChange approachChange(const anatomy::Approach& approach);
+/// A scenario with an approach.
+Result<session::Scenario> withApproach(const session::Scenario& scenario,
+                                       const anatomy::Approach& approach);
 
 /// The scenario of the user's own patient: named after the patient instead of a preset.
 Result<session::Scenario> asOwn(const session::Scenario& scenario);

@@ -82,8 +82,19 @@ void linkPages(MainWindow& window)
                        &InsertionViews::refreshBone);
     }
   }
-  if (ct != nullptr && plan != nullptr)
+  if (ct != nullptr) {
+    ct->setInsertionSetup(
+        {[&insertion]() -> const session::Scenario& { return insertion.history().now().scenario; },
+         [&insertion] { return insertion.maySetUp(); },
+         [&insertion](const SetupChange& change) { insertion.change(change); }});
+    QObject::connect(&insertion, &InsertionController::setupChanged, ct, &CtPage::followSetup);
+  }
+  if (ct != nullptr && plan != nullptr) {
     QObject::connect(ct, &CtPage::planRequested, plan, &PlanPage::planFor);
+    plan->setApproachSource(
+        [ct](const anatomy::Patient& patient) { return ct->approachOf(patient); });
+    QObject::connect(ct, &CtPage::approachChanged, plan, &PlanPage::showApproach);
+  }
   if (ct != nullptr && start != nullptr)
     QObject::connect(start, &StartPage::ctRequested, ct,
                      qOverload<const CtRequest&>(&CtPage::begin));

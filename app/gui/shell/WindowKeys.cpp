@@ -100,6 +100,8 @@ void addWindowKeys(KeyActions& keys, MainWindow& window, InsertPage& page)
                    tr("distance, angle, note; next point at the crosshair; end the tool")});
   keys.add(Gesture{ct, tr("Del; Ctrl+Z, Ctrl+Shift+Z; K"),
                    tr("remove the chosen markup; undo, redo; keep a key image for the report")});
+  keys.add(Gesture{ct, tr("Bone: drag the handle of the line, Shift+arrow keys; Home"),
+                   tr("turn the line of approach; along the axis of the opening")});
   addPageKeys(keys, window);
   qApp->installEventFilter(new AltKeys(keys, window));
   keys.add({section,

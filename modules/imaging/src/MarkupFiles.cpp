@@ -50,7 +50,7 @@ Json measurementJson(MarkupKind kind, const ct::MarkupValue& value)
 
 const char* typeOf(const ct::Markup& markup)
 {
-  if (markup.kind == MarkupKind::distance) return "Line";
+  if (markup.kind == MarkupKind::distance || markup.kind == MarkupKind::approach) return "Line";
   if (markup.kind == MarkupKind::angle) return "Angle";
   return markup.points_P.size() > 1 ? "Curve" : "Fiducial";
 }
@@ -85,7 +85,9 @@ bool addMarkups(const Json& list, std::vector<ct::Markup>& markups)
   static constexpr std::array measured{Choice<MarkupKind>{MarkupKind::distance, "Line"},
                                        Choice<MarkupKind>{MarkupKind::angle, "Angle"}};
   const std::string type = textOf(list, "type"), name = keptText(textOf(list, "name"));
-  const auto kind = valueIn(measured, type);
+  auto kind = valueIn(measured, type);
+  if (kind == MarkupKind::distance && name == nameIn(ct::markupKinds, MarkupKind::approach))
+    kind = MarkupKind::approach;
   if (!kind && type != "Fiducial" && type != "Curve") return true;  // planes, regions of interest
   ct::Markup whole{kind.value_or(MarkupKind::note), {}, name};
   std::map<MarkupKind, ct::Markup> structures;
@@ -119,7 +121,7 @@ struct Column {
 };
 constexpr Column columns[] = {
     {"number", "", "number of the markup in its CT, from 1"},
-    {"kind", "", "distance, angle, note, facial_nerve, chorda_tympani or canal_wall"},
+    {"kind", "", "distance, angle, note, facial_nerve, chorda_tympani, canal_wall or approach"},
     {"text", "", "words of the person who placed it"},
     {"value", "of unit", "length of a distance, size of an angle; empty for other kinds"},
     {"sd", "of unit", "standard deviation of placing each point to its voxel"},

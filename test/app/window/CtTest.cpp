@@ -200,7 +200,7 @@ TEST(MeasuredCochleae, OfBothEarsOfAPatientHaveAFileEach)
   ASSERT_TRUE(measures) << measures.error().message;
   for (const anatomy::Side side : {anatomy::Side::left, anatomy::Side::right}) {
     measures->side = side;
-    ASSERT_TRUE(gui::setupOfMeasures(*measures, QStringLiteral("P-9")));
+    ASSERT_TRUE(gui::setupOfMeasures(*measures, QStringLiteral("P-9"), {}));
   }
   for (const auto& [file, side] : {std::pair{"P-9-left.toml", anatomy::Side::left},
                                    std::pair{"P-9-right.toml", anatomy::Side::right}}) {

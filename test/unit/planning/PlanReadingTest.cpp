@@ -71,6 +71,19 @@ TEST(StoredPlan, KeepsItsFriction)
   }
 }
 
+TEST(StoredPlan, KeepsItsApproach)
+{
+  planning::Plan plan = syntheticPlan(20);
+  plan.request.approach = anatomy::Approach{degrees(2.41), degrees(-7.3)};
+  const auto json = planning::planJson(plan);
+  ASSERT_TRUE(json) << json.error().message;
+  const auto stored = planning::planIn(*json, "plan.json");
+  ASSERT_TRUE(stored) << stored.error().message;
+  ASSERT_TRUE(stored->plan.request.approach);
+  EXPECT_NEAR(inDegrees(stored->plan.request.approach->tilt), 2.41, 1e-6);
+  EXPECT_NEAR(inDegrees(stored->plan.request.approach->turn), -7.3, 1e-6);
+}
+
 TEST(StoredPlan, KeepsWhatItsBandsHoldFixed)
 {
   planning::Plan plan = syntheticPlan(20);

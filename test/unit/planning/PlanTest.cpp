@@ -185,6 +185,25 @@ TEST_F(SmallPlan, TakesAnotherFrictionThanTheScenarios)
   EXPECT_NE(unknown.error().message.find("butter"), std::string::npos);
 }
 
+TEST_F(SmallPlan, DeviatesFromAGivenApproachAsFromTheScenarios)
+{
+  request_.approach = anatomy::Approach{degrees(-6.25), degrees(11.5)};
+  const auto scenario = planning::scenarioOf(request_, "flex24", session::anyStopTravel);
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  EXPECT_NEAR(inDegrees(scenario->approachTilt()), -6.25, 1e-9);
+  EXPECT_NEAR(inDegrees(scenario->approachTurn()), 11.5, 1e-9);
+  const auto oblique = planning::makePlan(request_, {}, {});
+  ASSERT_TRUE(oblique) << oblique.error().message;
+  EXPECT_NE(oblique->fingerprint, usual().fingerprint);
+  // the same draws about another line: other forces
+  for (std::size_t i = 0; i < oblique->insertions.size(); ++i) {
+    EXPECT_EQ(oblique->insertions[i].tilt_deg, usual().insertions[i].tilt_deg);
+    EXPECT_EQ(oblique->insertions[i].turn_deg, usual().insertions[i].turn_deg);
+    EXPECT_NE(oblique->insertions[i].insertion.endForce.si(),
+              usual().insertions[i].insertion.endForce.si());
+  }
+}
+
 TEST_F(SmallPlan, RunsADrawAgainForAView)
 {
   const planning::Plan& plan = usual();

@@ -24,9 +24,11 @@
 #include "gui/pages/ct/PlaneView.h"
 #include "gui/pages/ct/RecentScans.h"
 #include "gui/pages/ct/SurfaceView.h"
+#include "gui/run/ScenarioApproach.h"
 #include "gui/setup/CtKeyImages.h"
 #include "gui/setup/KeyImage.h"
 #include "gui/setup/MeasureVersions.h"
+#include "gui/setup/PatientLibrary.h"
 #include "gui/setup/ScanFolders.h"
 #include "gui/setup/VersionQuestion.h"
 #include "gui/text/DataText.h"
@@ -41,6 +43,7 @@
 #include "perilymph/imaging/MeasuredPicture.h"
 #include "perilymph/imaging/MeasuredSurface.h"
 #include "perilymph/imaging/PlanFiles.h"
+#include "perilymph/session/PatientRecord.h"
 
 namespace perilymph::gui {
 
@@ -121,6 +124,7 @@ CtPage::CtPage(const InsertionControl& control, QWidget* parent)
   connect(&study_, &CtStudy::changed, this, [this] {
     if (stages_->currentWidget() != archive_) showArchive(false);
   });
+  connect(&study_, &CtStudy::approachGiven, this, &CtPage::giveApproach);
   connectWork();
   connectPanel();
   connectArchive();
@@ -272,6 +276,11 @@ void CtPage::connectPanel()
     for (PlaneView* view : views_) view->setPlaced(mark);
     panel_->showMark(mark);
   });
+  connect(panel_, &CtPanel::structureRequested, this,
+          [this](const std::optional<ct::MarkupKind>& structure) {
+            if (structure) study_.setTool({});
+            for (PlaneView* view : views_) view->setMarked(structure);
+          });
   connect(panel_, &CtPanel::insertRequested, this, [this](const QString& code) {
     withFreshMeasures([this, code] { withFreeCode(code, [this, code] { insert(code); }); });
   });
@@ -360,6 +369,7 @@ bool CtPage::cancel()
     study_.setTool({});
     return true;
   }
+  if (panel_->endStructure()) return true;
   if (!work_.isBusy()) return false;
   work_.cancel();
   return true;
@@ -386,13 +396,47 @@ bool CtPage::isMeasured(const anatomy::Patient& inserted) const
   return numbers(inserted) == numbers(measured);
 }
 
+void CtPage::giveApproach()
+{
+  const auto approach = study_.approach();
+  if (!approach) return;
+  if (insertionSetup_.scenario && isInMeasuredCochlea(insertionSetup_.scenario())) {
+    if (areSame(perilymph::gui::approachOf(insertionSetup_.scenario()), *approach)) return;
+    if (!insertionSetup_.mayChange()) {
+      followSetup();
+      return panel_->showIdle(
+          tr("An insertion into this cochlea is in progress, or is replayed: reset it, or close "
+             "the replay, to turn its line of approach."),
+          true);
+    }
+    insertionSetup_.change(approachChange(*approach));
+  }
+  Q_EMIT approachChanged();
+}
+
+void CtPage::followSetup()
+{
+  if (!insertionSetup_.scenario) return;
+  const session::Scenario& scenario = insertionSetup_.scenario();
+  if (!isInMeasuredCochlea(scenario)) return;
+  study_.showApproach(perilymph::gui::approachOf(scenario));
+  Q_EMIT approachChanged();
+}
+
+std::optional<anatomy::Approach> CtPage::approachOf(const anatomy::Patient& patient) const
+{
+  return isMeasured(patient) ? study_.approach() : std::nullopt;
+}
+
 void CtPage::onShown()
 {
+  followSetup();
   const auto scala = control_.sharedAnatomy();
   if (scala == nullptr) return;
   const session::Scenario& scenario = control_.scenario();
   if (!isInMeasuredCochlea(scenario)) return study_.setArray({});
-  study_.setArray(insertedArray(*study_.measures(), scenario.array(), *scala, control_.now()));
+  study_.setArray(insertedArray(*study_.measures(), scenario.array(), *scala,
+                                perilymph::gui::approachOf(scenario), control_.now()));
 }
 
 std::optional<broadcast::PlacedCt> CtPage::placedCt(const session::Scenario& scenario) const
@@ -428,7 +472,9 @@ void CtPage::withFreeCode(const QString& code, std::function<void()> then)
 
 void CtPage::insert(const QString& code)
 {
-  const auto setup = setupOfMeasures(*study_.measures(), code, study_.former().get());
+  const auto setup =
+      setupOfMeasures(*study_.measures(), code, study_.approach().value_or(anatomy::Approach{}),
+                      study_.former().get());
   if (!setup) return panel_->showIdle(dataText(setup.error().message), true);
   patient_ = imaging::measuredPatient(*study_.measures());
   patient_->label = setup->scenario.patient().label;
@@ -548,6 +594,7 @@ void CtPage::toggleTool(ct::MarkupKind tool)
 {
   for (PlaneView* view : views_) view->setPlaced({});
   panel_->showMark({});
+  panel_->endStructure();
   study_.setTool(study_.tool() == tool ? std::nullopt : std::optional(tool));
 }
 

@@ -18,6 +18,7 @@
 #include "gui/pages/ct/CtWork.h"
 #include "gui/run/InsertionControl.h"
 #include "gui/setup/CtRequest.h"
+#include "gui/setup/Setup.h"
 #include "perilymph/broadcast/CtImage.h"
 
 class QStackedLayout;
@@ -64,6 +65,18 @@ public:
   /// shown.
   std::shared_ptr<const visualization::BoneModel> boneOf(const anatomy::Patient& patient) const;
 
+  /// The insertion's setup, for the line of approach in the cochlea that is measured here.
+  struct InsertionSetup {
+    std::function<const session::Scenario&()> scenario;
+    std::function<bool()> mayChange;
+    std::function<void(const SetupChange&)> change;
+  };
+  void setInsertionSetup(InsertionSetup setup) { insertionSetup_ = std::move(setup); }
+  /// Shows the line of approach of the insertion's setup, if that is into the cochlea measured here.
+  void followSetup();
+  /// The approach of a patient's cochlea that is measured here; empty for any other.
+  std::optional<anatomy::Approach> approachOf(const anatomy::Patient& patient) const;
+
   /// The folder of the CT that is shown, if it is this series of DICOM files.
   std::optional<std::filesystem::path> placeOf(const std::string& seriesKey) const;
 
@@ -81,6 +94,8 @@ public:
 Q_SIGNALS:
   /// A plan for the measured cochlea was asked for. The patient is saved.
   void planRequested(const perilymph::anatomy::Patient& patient);
+  /// The line of approach is another one.
+  void approachChanged();
   /// The archives in the settings are to be shown.
   void serversRequested();
 
@@ -114,6 +129,8 @@ private:
   /// Calls `then`, after a question if another measurement is saved under this code.
   void withFreeCode(const QString& code, std::function<void()> then);
   void insert(const QString& code);
+  /// Gives the line of approach to an insertion into the measured cochlea.
+  void giveApproach();
   void plan(const QString& code);
   /// Shows one view alone, or all again.
   void maximize(QWidget* chosen);
@@ -149,9 +166,10 @@ private:
   QString leftCode_;        ///< The code that leaveScan() removed.
   bool isOpening_ = false;  ///< A folder or file is read.
   bool isReopening_ = false;  ///< The cochlea is looked for before landmarks by hand correct it.
-  std::optional<anatomy::Side> side_;        ///< Ear that the next search looks for.
-  ct::Marks atRequest_;                      ///< Landmarks by hand when the measurement began.
-  std::function<void()> then_;               ///< What was asked for and waits for the measurement.
+  std::optional<anatomy::Side> side_;  ///< Ear that the next search looks for.
+  ct::Marks atRequest_;                ///< Landmarks by hand when the measurement began.
+  std::function<void()> then_;         ///< What was asked for and waits for the measurement.
+  InsertionSetup insertionSetup_;
   std::optional<anatomy::Patient> patient_;  ///< Whose cochlea was offered for insertion or a plan.
   QString task_;
   QElapsedTimer since_;  ///< Begin of the task.

@@ -20,6 +20,7 @@
 #include "gui/pages/ct/MarkGuide.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/VersionQuestion.h"
+#include "gui/text/ApproachText.h"
 #include "gui/text/DataText.h"
 #include "gui/text/LandmarkText.h"
 #include "gui/widgets/CheckBoxes.h"
@@ -33,7 +34,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, wideWidth_px = 560;
+constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 92;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
 {
@@ -70,10 +71,12 @@ CtPanel::CtPanel(CtStudy& study, QWidget* parent) : QWidget(parent), study_(stud
   addSource(*before);
   addMeasurement(*before);
   addView(*before);
+  addStructures(*before);
   before->addStretch();
   addStep(*found, tr("2  CHECK"));
   addMeasures(*found);
   addMarks(*found);
+  addApproach(*found);
   found->addStretch();
   // what follows the measurement stays in view
   auto* foot = new QVBoxLayout;
@@ -261,6 +264,125 @@ void CtPanel::addMarks(QVBoxLayout& column)
   connect(loadMarks_, &QPushButton::clicked, this, &CtPanel::loadMarksRequested);
 }
 
+void CtPanel::addApproach(QVBoxLayout& column)
+{
+  approach_ = new QWidget(this);
+  auto* rows = new QGridLayout(approach_);
+  rows->setContentsMargins(0, spacing, 0, 0);
+  rows->setVerticalSpacing(4);
+  rows->addWidget(panelHeading(tr("APPROACH TO THE BASAL TURN"), this), 0, 0, 1, 2);
+  inPlane_ = panelText({}, 13, this);
+  inPlane_->setObjectName(QStringLiteral("approachInPlane"));
+  outOfPlane_ = panelText({}, 13, this);
+  outOfPlane_->setObjectName(QStringLiteral("approachOutOfPlane"));
+  const std::array names{tr("in its plane"), tr("out of it")};
+  const std::array values{inPlane_, outOfPlane_};
+  for (int k = 0; k < 2; ++k) {
+    QLabel* const name = panelText(names[std::size_t(k)], 13, this);
+    name->setWordWrap(false);
+    rows->addWidget(name, k + 1, 0, Qt::AlignTop);
+    rows->addWidget(values[std::size_t(k)], k + 1, 1);
+  }
+  rows->setColumnStretch(1, 1);
+  approachLimit_ = panelText(approachLimitText(), 12, this);
+  approachLimit_->setObjectName(QStringLiteral("approachLimit"));
+  approachLimit_->setProperty("error", true);
+  rows->addWidget(approachLimit_, 3, 0, 1, 2);
+  resetApproach_ = rowButton(tr("Along the axis of the opening"), "resetApproachButton", this);
+  resetApproach_->setToolTip(tr("Home, in the picture of the bone"));
+  rows->addWidget(resetApproach_, 4, 0, 1, 2);
+  approach_->setToolTip(
+      tr("Where the array points at the opening, from the tangent of the scala tympani’s center "
+         "line there. Turn the line by its handle in the picture of the bone. Insert and Plan use "
+         "it."));
+  column.addWidget(approach_);
+  connect(resetApproach_, &QPushButton::clicked, &study_, &CtStudy::resetApproach);
+  connect(&study_, &CtStudy::approachMoved, this, &CtPanel::showApproach);
+}
+
+void CtPanel::addStructures(QVBoxLayout& column)
+{
+  column.addSpacing(spacing);
+  column.addWidget(panelHeading(tr("STRUCTURES BESIDE THE APPROACH"), this));
+  auto* grid = new QGridLayout;
+  grid->setSpacing(4);
+  for (std::size_t k = 0; k < structures_.size(); ++k) {
+    const ct::MarkupKind kind = ct::approachStructures[k];
+    StructureRow& row = structures_[k];
+    row.mark = rowButton(markupName(kind), "", this);
+    row.mark->setObjectName(
+        QStringLiteral("structure_%1").arg(QLatin1String(nameIn(ct::markupKinds, kind))));
+    row.mark->setProperty("small", true);
+    row.mark->setCheckable(true);
+    row.mark->setToolTip(tr("Press, then click points into the pictures; press again to end. %1")
+                             .arg(structureGuide(kind)));
+    row.distance = panelText({}, 13, this);
+    row.distance->setWordWrap(false);
+    row.distance->setMinimumWidth(sized(distanceWidth_px));
+    row.distance->setObjectName(
+        QStringLiteral("distance_%1").arg(QLatin1String(nameIn(ct::markupKinds, kind))));
+    row.distance->setToolTip(
+        tr("Shortest distance between the line of approach and the marked course, with its 95 % "
+           "interval: from placing by hand (standard deviation 0.3 mm) and from the voxels. It "
+           "leaves out the width of the structure and of an instrument, navigation and the hand."));
+    row.remove = rowButton(QStringLiteral("×"), "", this);
+    row.remove->setFixedWidth(sized(removeWidth_px));
+    row.remove->setToolTip(tr("Remove"));
+    row.remove->setProperty("small", true);
+    row.remove->setAccessibleName(tr("Remove: %1").arg(markupName(kind)));
+    grid->addWidget(row.mark, int(k), 0);
+    grid->addWidget(row.distance, int(k), 1);
+    grid->addWidget(row.remove, int(k), 2);
+    connect(row.mark, &QPushButton::toggled, this, [this, k](bool isMarking) {
+      for (std::size_t other = 0; isMarking && other < structures_.size(); ++other)
+        if (other != k) structures_[other].mark->setChecked(false);
+      showApproach();
+      Q_EMIT structureRequested(isMarking ? std::optional(ct::approachStructures[k])
+                                          : std::nullopt);
+    });
+    connect(row.remove, &QPushButton::clicked, &study_,
+            [this, kind] { study_.removeStructure(kind); });
+  }
+  grid->setColumnStretch(0, 1);
+  column.addLayout(grid);
+  structureGuide_ = panelText({}, 12, this);
+  structureGuide_->setObjectName(QStringLiteral("structureGuide"));
+  column.addWidget(structureGuide_);
+}
+
+bool CtPanel::endStructure()
+{
+  for (const StructureRow& row : structures_) {
+    if (!row.mark->isChecked()) continue;
+    row.mark->setChecked(false);
+    return true;
+  }
+  return false;
+}
+
+void CtPanel::showApproach()
+{
+  structureGuide_->hide();
+  for (std::size_t k = 0; k < structures_.size(); ++k) {
+    const ct::MarkupKind kind = ct::approachStructures[k];
+    const StructureRow& row = structures_[k];
+    const auto distance = study_.distanceFromApproach(kind);
+    row.mark->setEnabled(study_.hasCt());
+    row.distance->setText(distance ? distanceText(*distance) : QStringLiteral("–"));
+    row.remove->setEnabled(!study_.pointsOf(kind).empty());
+    if (!row.mark->isChecked()) continue;
+    structureGuide_->setText(structureGuide(kind));
+    structureGuide_->show();
+  }
+  const auto angles = study_.approachAngles();
+  approach_->setVisible(angles.has_value());
+  if (!angles) return;
+  inPlane_->setText(inPlaneText(*angles));
+  outOfPlane_->setText(outOfPlaneText(*angles));
+  approachLimit_->setVisible(study_.isApproachAtLimit());
+  resetApproach_->setEnabled(study_.isApproachTurned());
+}
+
 void CtPanel::addOnward(QVBoxLayout& column)
 {
   column.addWidget(question_ = new VersionQuestion(this));
@@ -330,6 +452,7 @@ void CtPanel::refresh()
   slab_->setEnabled(study_.hasCt());
   showStep();
   showMeasures();
+  showApproach();
 }
 
 void CtPanel::showStep()

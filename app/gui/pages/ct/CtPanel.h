@@ -38,6 +38,8 @@ public:
   void showIdle(const QString& sentence, bool isError = false);
   /// Guides to a landmark that is being placed; none ends it.
   void showMark(const std::optional<ct::Mark>& mark);
+  /// Ends the marking of a structure; false if none was marked.
+  bool endStructure();
   /// In two columns, so that numbers and landmarks need no scrolling, or in one.
   void setWide(bool isWide);
   /// Asked before other measures are saved under a code that exists.
@@ -53,6 +55,8 @@ Q_SIGNALS:
   void measureRequested(bool isAtCrosshair);
   void cancelRequested();
   void markRequested(perilymph::ct::Mark mark);
+  /// Points are to be added to a structure; none ends it.
+  void structureRequested(std::optional<perilymph::ct::MarkupKind> structure);
   void insertRequested(const QString& code);
   void planRequested(const QString& code);
   void saveSurfaceRequested();
@@ -67,10 +71,13 @@ private:
   void addMeasurement(QVBoxLayout& column);
   void addMeasures(QVBoxLayout& column);
   void addMarks(QVBoxLayout& column);
+  void addApproach(QVBoxLayout& column);
+  void addStructures(QVBoxLayout& column);
   void addOnward(QVBoxLayout& column);
   /// Marks the step that is to be taken next.
   void showStep();
   void showMeasures();
+  void showApproach();
 
   CtStudy& study_;
   std::vector<QLabel*> steps_;  ///< Headings of the three steps.
@@ -86,6 +93,17 @@ private:
   std::array<QPushButton*, ct::markCount> marks_{};
   MarkGuide* guide_;
   QPushButton *undo_, *redo_;
+  QWidget* approach_;
+  QLabel *inPlane_, *outOfPlane_, *approachLimit_;
+  QPushButton* resetApproach_;
+  /// A structure of the approach: begins to mark it, its distance, removes it.
+  struct StructureRow {
+    QPushButton* mark;
+    QLabel* distance;
+    QPushButton* remove;
+  };
+  std::array<StructureRow, ct::approachStructures.size()> structures_{};
+  QLabel* structureGuide_;
   CtNextSteps* onward_;
   VersionQuestion* question_;
   QPushButton *saveMarks_, *loadMarks_;

@@ -3,7 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "gui/run/ScenarioApproach.h"
+#include "perilymph/anatomy/AnatomySource.h"
+#include "perilymph/imaging/MeasuredPatient.h"
 
 namespace perilymph::gui {
 
@@ -14,6 +19,18 @@ constexpr double largestPicture_px = 400.0;  // a larger view shows more around
 constexpr double minPicture_px = 64.0;       // of a picture in which anything can be seen (choice)
 constexpr double cochleaPicture_mm = 16.0;   // the basal turn with its surroundings
 constexpr std::size_t maxUndo = 100;
+constexpr double keptApproach_mm = 20.0;  // of the line, outside: no angle depends on it
+
+/// The opening of the anatomy that is built from measures.
+std::optional<anatomy::Entry> openingOf(const ct::CochleaMeasures& measures)
+{
+  const auto scala = anatomy::buildAnatomy(
+      {anatomy::AnatomySource::mean, imaging::measuredPatient(measures)}, "the measured cochlea");
+  if (!scala) return std::nullopt;
+  return (*scala)->entry();
+}
+
+Angle toTenths(Angle angle) { return degrees(std::round(10.0 * inDegrees(angle)) / 10.0); }
 
 }  // namespace
 
@@ -78,6 +95,12 @@ void CtStudy::setMeasures(ct::CochleaMeasures measures, const ct::Marks& atReque
 void CtStudy::showMeasured(ct::CochleaMeasures measures)
 {
   now_.measures = std::make_shared<const ct::CochleaMeasures>(std::move(measures));
+  const auto outward = pointsOf(ct::MarkupKind::approach);
+  now_.opening = openingOf(*now_.measures);
+  // the line keeps its direction in the patient, through the opening as it is now
+  if (now_.opening && outward.size() == 2)
+    keepLine(anatomy::withinLimits(
+        ct::approachAlong(*now_.measures, *now_.opening, outward[0] - outward[1])));
   array_ = {};
   frame_ = PlaneFrame::cochlea;
   crosshair_P_ = ct::basalTurnCenter_P(*now_.measures);
@@ -228,11 +251,140 @@ void CtStudy::keepForUndo()
   redoStack_.clear();
 }
 
+std::optional<anatomy::Approach> CtStudy::approach() const
+{
+  if (!now_.opening) return std::nullopt;
+  const std::vector<Eigen::Vector3d> line = pointsOf(ct::MarkupKind::approach);
+  if (line.size() != 2) return anatomy::Approach{};
+  return anatomy::withinLimits(ct::approachAlong(*now_.measures, *now_.opening, line[0] - line[1]));
+}
+
+std::optional<ct::ApproachLine> CtStudy::approachLine() const
+{
+  const auto shown = approach();
+  if (!shown) return std::nullopt;
+  return ct::approachLine(*now_.measures, *now_.opening, *shown);
+}
+
+std::optional<anatomy::BasalTurnAngles> CtStudy::approachAngles() const
+{
+  const auto shown = approach();
+  if (!shown) return std::nullopt;
+  return anatomy::anglesToBasalTurn(*shown, *now_.opening);
+}
+
+bool CtStudy::isApproachAtLimit() const
+{
+  const auto shown = approach();
+  const auto isSteepest = [](Angle angle) {
+    return std::fabs(inDegrees(angle)) > anatomy::steepestApproach_deg - 1e-6;
+  };
+  return shown && (isSteepest(shown->tilt) || isSteepest(shown->turn));
+}
+
+void CtStudy::turnApproach(const Eigen::Vector3d& outward_P)
+{
+  if (!now_.opening) return;
+  const anatomy::Approach wanted =
+      anatomy::withinLimits(ct::approachAlong(*now_.measures, *now_.opening, outward_P));
+  turnApproach(anatomy::anglesToBasalTurn(wanted, *now_.opening));
+}
+
+void CtStudy::turnApproach(const anatomy::BasalTurnAngles& angles)
+{
+  if (!now_.opening) return;
+  keepChange();
+  const anatomy::Approach turned = anatomy::withinLimits(
+      anatomy::approachAt({toTenths(angles.inPlane), toTenths(angles.outOfPlane)}, *now_.opening));
+  keepLine(turned);
+  Q_EMIT approachMoved();
+}
+
+void CtStudy::keepLine(const anatomy::Approach& approach)
+{
+  std::erase_if(now_.markups,
+                [](const ct::Markup& each) { return each.kind == ct::MarkupKind::approach; });
+  chosenMarkup_.reset();  // others may have another place now
+  if (isAlongAxis(approach)) return;
+  const ct::ApproachLine line = ct::approachLine(*now_.measures, *now_.opening, approach);
+  now_.markups.push_back({ct::MarkupKind::approach, {line.at(keptApproach_mm), line.opening_P}});
+}
+
+void CtStudy::endChange()
+{
+  isChangeOpen_ = false;
+  Q_EMIT markupsChanged();
+  announceModel();
+  Q_EMIT approachGiven();
+}
+
+void CtStudy::resetApproach()
+{
+  if (!isApproachTurned()) return;
+  beginChange();
+  keepChange();
+  keepLine({});
+  endChange();
+}
+
+void CtStudy::showApproach(const anatomy::Approach& approach)
+{
+  if (!now_.opening || areSame(*this->approach(), approach)) return;
+  keepLine(approach);
+  announceMarkups();
+}
+
+std::vector<Eigen::Vector3d> CtStudy::pointsOf(ct::MarkupKind structure) const
+{
+  const auto found = std::ranges::find(now_.markups, structure, &ct::Markup::kind);
+  return found == now_.markups.end() ? std::vector<Eigen::Vector3d>() : found->points_P;
+}
+
+void CtStudy::addPoint(ct::MarkupKind structure, const Eigen::Vector3d& point_P)
+{
+  if (!hasCt() || !volume_->contains(point_P)) return;
+  const auto found = std::ranges::find(now_.markups, structure, &ct::Markup::kind);
+  const bool isNew = found == now_.markups.end();
+  if (!isNew && found->points_P.size() >= ct::pointCountOf(structure).most) return;
+  const auto place = found - now_.markups.begin();
+  beginChange();
+  keepChange();
+  if (isNew)
+    now_.markups.push_back({structure, {point_P}});
+  else
+    now_.markups[std::size_t(place)].points_P.push_back(point_P);
+  announceMarkups();
+}
+
+void CtStudy::removeStructure(ct::MarkupKind structure)
+{
+  if (pointsOf(structure).empty()) return;
+  beginChange();
+  keepChange();
+  std::erase_if(now_.markups,
+                [structure](const ct::Markup& each) { return each.kind == structure; });
+  isChangeOpen_ = false;
+  announceMarkups();
+}
+
+std::optional<ct::DistanceToLine> CtStudy::distanceFromApproach(ct::MarkupKind structure) const
+{
+  const auto line = approachLine();
+  const std::vector<Eigen::Vector3d> points = pointsOf(structure);
+  if (!line || points.empty()) return std::nullopt;
+  return ct::distanceToLine(points, *line, ct::markupsOf(*volume_).voxelEdges_P);
+}
+
+void CtStudy::keepChange()
+{
+  if (!isChangeOpen_) keepForUndo();
+  isChangeOpen_ = true;
+}
+
 void CtStudy::placeMark(ct::Mark mark, const Eigen::Vector3d& point_P)
 {
   if (!hasCt() || !volume_->contains(point_P)) return;
-  if (!isChangeOpen_) keepForUndo();
-  isChangeOpen_ = true;
+  keepChange();
   now_.marks[mark] = point_P;
   now_.isByHand[static_cast<std::size_t>(mark)] = true;
   announceModel();
@@ -275,13 +427,23 @@ Result<void> CtStudy::addMarkups(const std::vector<ct::Markup>& markups)
   ct::CtMarkups whole = ctMarkups();
   whole.markups = markups;
   if (const auto note = ct::outsideNote(whole, *volume_)) return Error(*note);
+  const auto isApproach = [](const ct::Markup& each) {
+    return each.kind == ct::MarkupKind::approach;
+  };
+  const bool isTurned = std::ranges::any_of(markups, isApproach);
   whole.markups.insert(whole.markups.begin(), now_.markups.begin(), now_.markups.end());
+  if (isTurned) {  // there is one line of approach: the last one
+    const ct::Markup line = *std::find_if(whole.markups.rbegin(), whole.markups.rend(), isApproach);
+    std::erase_if(whole.markups, isApproach);
+    whole.markups.push_back(line);
+  }
   if (const auto possible = ct::checkMarkups(whole); !possible) return possible;
   keepForUndo();
   isChangeOpen_ = false;
   now_.markups = std::move(whole.markups);
   chosenMarkup_ = now_.markups.size() - 1;
   announceMarkups();
+  if (isTurned) Q_EMIT approachGiven();
   return {};
 }
 
@@ -358,7 +520,8 @@ void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
     Q_EMIT modelChanged();
     return showWhole();
   }
-  announceModel();
+  announceMarkups();
+  Q_EMIT approachGiven();
 }
 
 void CtStudy::undo()

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "perilymph/anatomy/Approach.h"
+#include "perilymph/ct/ApproachLine.h"
 #include "perilymph/ct/Marks.h"
 #include "perilymph/ct/Markups.h"
 #include "perilymph/ct/Measures.h"
@@ -101,6 +103,38 @@ public:
   void setArray(InsertedArray array);
   const InsertedArray& array() const { return array_; }
 
+  /// The opening of the anatomy that is built from the measures, in its frame W; empty without measures,
+  /// or where none can be built.
+  const std::optional<anatomy::Entry>& opening() const { return now_.opening; }
+  /// The line of approach; empty without an opening. It stays in the patient when the cochlea is measured
+  /// again: its angles are then others. Along the axis of the opening unless it was turned.
+  std::optional<ct::ApproachLine> approachLine() const;
+  /// The same as a scenario has it.
+  std::optional<anatomy::Approach> approach() const;
+  /// Its angles to the basal turn.
+  std::optional<anatomy::BasalTurnAngles> approachAngles() const;
+  /// Whether it is not along the axis of the opening.
+  bool isApproachTurned() const { return !pointsOf(ct::MarkupKind::approach).empty(); }
+  /// Whether it is at a limit of what a scenario has.
+  bool isApproachAtLimit() const;
+  /// Turns the line outward along a direction of P, within the limits and to a tenth of a degree of its
+  /// angles. Emits approachMoved() only, until endChange().
+  void turnApproach(const Eigen::Vector3d& outward_P);
+  /// The same by its angles.
+  void turnApproach(const anatomy::BasalTurnAngles& angles);
+  /// Puts the line back along the axis of the opening.
+  void resetApproach();
+  /// Shows the approach of an insertion; no step for undo.
+  void showApproach(const anatomy::Approach& approach);
+
+  /// The points of a structure; none if it is not marked.
+  std::vector<Eigen::Vector3d> pointsOf(ct::MarkupKind structure) const;
+  /// Adds a point at the end of a structure; removes a structure. One step for undo each.
+  void addPoint(ct::MarkupKind structure, const Eigen::Vector3d& point_P);
+  void removeStructure(ct::MarkupKind structure);
+  /// Its distance from the line of approach; empty without either.
+  std::optional<ct::DistanceToLine> distanceFromApproach(ct::MarkupKind structure) const;
+
   /// A contact of an implanted array that was found in this CT.
   struct Contact {
     int number = 0;                                  ///< 1 at the tip.
@@ -126,11 +160,14 @@ public:
   bool isCorrected() const { return !marksByHand().isEmpty(); }
   /// Begins a change of landmarks that undo() takes back as one; without a placement it is not recorded.
   void beginChange() { isChangeOpen_ = false; }
+  /// Ends a turn of the line of approach, which is given onward.
+  void endChange();
   void placeMark(ct::Mark mark, const Eigen::Vector3d& point_P);
   /// Shows landmarks placed by a person, as from a file.
   void setMarks(const ct::Marks& marks);
 
-  /// What a person marked in this CT: distances, angles, notes and structures.
+  /// What a person marked in this CT: distances, angles, notes, structures, and the line of approach where it was
+  /// turned.
   const std::vector<ct::Markup>& markups() const { return now_.markups; }
   /// The same with series and voxels.
   ct::CtMarkups ctMarkups() const;
@@ -170,6 +207,10 @@ public:
   void redo();
 
 Q_SIGNALS:
+  /// The line of approach moved, and may move further.
+  void approachMoved();
+  /// The user turned the line of approach, or took that back.
+  void approachGiven();
   /// Something that is drawn or written changed.
   void changed();
   /// Measures, landmarks or array changed, not only what is looked at; followed by changed().
@@ -185,6 +226,7 @@ private:
     ct::Marks marks;
     std::array<bool, ct::markCount> isByHand{};
     std::shared_ptr<const ct::CochleaMeasures> measures, former;
+    std::optional<anatomy::Entry> opening;
     std::vector<ct::Markup> markups;
   };
 
@@ -192,6 +234,9 @@ private:
   void announceModel();
   void announceMarkups();
   void keepForUndo();
+  void keepChange();
+  /// Keeps the line of approach among the markups; none along the axis of the opening.
+  void keepLine(const anatomy::Approach& approach);
   void restore(std::vector<Placement>& from, std::vector<Placement>& to);
 
   std::shared_ptr<const ct::CtVolume> volume_;

@@ -48,6 +48,35 @@ QString markName(ct::Mark mark)
   return {};
 }
 
+QString structureGuide(ct::MarkupKind structure)
+{
+  switch (structure) {
+    case ct::MarkupKind::facialNerve:
+      return tr(
+          "Click along the center of its canal: the mastoid part below the lateral semicircular "
+          "canal, in axial slices from above downward.");
+    case ct::MarkupKind::chordaTympani:
+      return tr(
+          "Click along its canal, from the mastoid part of the facial nerve up to the tympanic "
+          "cavity. Where the slices do not show it, it is not marked.");
+    case ct::MarkupKind::canalWall:
+      return tr(
+          "Click on the surface of the posterior wall of the ear canal that faces the mastoid.");
+    case ct::MarkupKind::distance:
+    case ct::MarkupKind::angle:
+    case ct::MarkupKind::note:
+    case ct::MarkupKind::approach:
+      break;
+  }
+  return {};
+}
+
+QString distanceText(const ct::DistanceToLine& distance)
+{
+  return tr("%1 ± %2 mm")
+      .arg(numberText(distance.distance_mm, 1), numberText(halfWidth95 * distance.sd_mm, 1));
+}
+
 QString markGuide(ct::Mark mark)
 {
   switch (mark) {
@@ -101,6 +130,8 @@ QString markupName(ct::MarkupKind kind)
       return tr("Chorda tympani");
     case ct::MarkupKind::canalWall:
       return tr("Canal wall");
+    case ct::MarkupKind::approach:
+      return tr("Line of approach");
   }
   return {};
 }

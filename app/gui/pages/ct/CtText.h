@@ -16,6 +16,10 @@ namespace perilymph::gui {
 QString planeName(PlaneFrame frame, std::size_t plane);
 /// "Round window"
 QString markName(ct::Mark mark);
+/// How the points of a structure are found in the pictures.
+QString structureGuide(ct::MarkupKind structure);
+/// "3.1 ± 0.6 mm": distance from the line of approach and its 95 % interval.
+QString distanceText(const ct::DistanceToLine& distance);
 /// How a landmark is found in the pictures.
 QString markGuide(ct::Mark mark);
 /// "9.12 ± 0.21 mm": value and 95 % interval.

@@ -8,13 +8,14 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr double approach_m = 0.02;  // length of the insertion line outside the opening
+constexpr double approach_mm = 20.0;  // length of the insertion line outside the opening
 
 }  // namespace
 
 CtStudy::InsertedArray insertedArray(const ct::CochleaMeasures& measures,
                                      const electrode::ArrayDesign& design,
                                      const anatomy::ScalaTympani& scala,
+                                     const anatomy::Approach& approach,
                                      const haptics::Snapshot& now)
 {
   CtStudy::InsertedArray array;
@@ -36,9 +37,8 @@ CtStudy::InsertedArray insertedArray(const ct::CochleaMeasures& measures,
     array.contacts_P.push_back(
         measures.fromAnatomy((1.0 - fraction) * nodes_W[before] + fraction * nodes_W[before + 1]));
   }
-  const anatomy::Entry entry = scala.entry();
-  array.approach_P = {measures.fromAnatomy(entry.origin_W + approach_m * entry.out_W),
-                      measures.fromAnatomy(entry.origin_W)};
+  const ct::ApproachLine line = ct::approachLine(measures, scala.entry(), approach);
+  array.approach_P = {line.at(approach_mm), line.opening_P};
   return array;
 }
 

@@ -11,10 +11,11 @@
 
 namespace perilymph::gui {
 
-/// The array of a snapshot in the CT; empty if a node is not finite.
+/// The array of a snapshot in the CT, with the line that it was pushed along; empty if a node is not finite.
 CtStudy::InsertedArray insertedArray(const ct::CochleaMeasures& measures,
                                      const electrode::ArrayDesign& design,
                                      const anatomy::ScalaTympani& scala,
+                                     const anatomy::Approach& approach,
                                      const haptics::Snapshot& now);
 
 /// What a study has for other programs: landmarks, axis, and the inserted array if there is one.

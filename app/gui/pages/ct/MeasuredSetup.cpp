@@ -78,11 +78,16 @@ Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures, 
 }
 
 Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code,
-                              const ct::CochleaMeasures* former)
+                              const anatomy::Approach& approach, const ct::CochleaMeasures* former)
 {
   const auto patient = patientOfMeasures(measures, code, former);
   if (!patient) return patient.error();
-  return setupOfPatient(*patient);
+  auto setup = setupOfPatient(*patient);
+  if (!setup) return setup.error();
+  auto approached = withApproach(setup->scenario, approach);
+  if (!approached) return approached.error();
+  setup->scenario = *std::move(approached);
+  return setup;
 }
 
 }  // namespace perilymph::gui

@@ -20,8 +20,9 @@ namespace perilymph::gui {
 Result<anatomy::Patient> patientOfMeasures(const ct::CochleaMeasures& measures, const QString& code,
                                            const ct::CochleaMeasures* former = nullptr);
 
-/// The same, and a setup of the mean anatomy with these measures.
+/// The same, and a setup of the mean anatomy with these measures and an approach.
 Result<Setup> setupOfMeasures(const ct::CochleaMeasures& measures, const QString& code,
+                              const anatomy::Approach& approach,
                               const ct::CochleaMeasures* former = nullptr);
 
 }  // namespace perilymph::gui

@@ -27,6 +27,7 @@ namespace {
 
 constexpr double crosshairGap_px = 9.0, markRadius_px = 5.0, minBar_px = 40.0;
 constexpr double dimmestMark = 0.35;
+constexpr double drawnApproach_mm = 20.0;  // of the line of approach: beyond the facial recess
 
 /// Converts points of P to the picture.
 struct Projector {
@@ -194,6 +195,44 @@ void paintContacts(QPainter& painter, const CtStudy& study, std::size_t index,
   painter.setBrush(Qt::NoBrush);
 }
 
+/// A line where it is near the plane, as clearly as that.
+void paintNear(QPainter& painter, const Projector& project, const Eigen::Vector3d& from_P,
+               const Eigen::Vector3d& to_P, const QColor& color)
+{
+  constexpr double part_mm = 0.5;
+  const int parts = std::max(1, int(std::ceil((to_P - from_P).norm() / part_mm)));
+  for (int k = 0; k < parts; ++k) {
+    const Eigen::Vector3d one = from_P + (to_P - from_P) * double(k) / parts;
+    const Eigen::Vector3d other = from_P + (to_P - from_P) * double(k + 1) / parts;
+    const double opacity = opacityOf(project.plane.behind(0.5 * (one + other)));
+    if (opacity == 0.0) continue;
+    painter.setOpacity(opacity);
+    painter.setPen(QPen(colorOf(onCt::shadow), 4.0));
+    painter.drawLine(project(one), project(other));
+    painter.setPen(QPen(color, 1.8));
+    painter.drawLine(project(one), project(other));
+  }
+  painter.setOpacity(1.0);
+}
+
+/// The line of approach where it is near the plane, and a cross where it passes through.
+void paintApproach(QPainter& painter, const CtStudy& study, const Projector& project)
+{
+  const auto line = study.approachLine();
+  if (!line) return;
+  const QColor color = colorOf(onCt::approach);
+  paintNear(painter, project, line->opening_P, line->at(drawnApproach_mm), color);
+  const double slope = project.plane.away_P().dot(line->outward_P);
+  const double outside = slope == 0.0 ? -1.0 : -project.plane.behind(line->opening_P) / slope;
+  if (outside < 0.0 || outside > drawnApproach_mm) return;
+  const QPointF at = project(line->at(outside));
+  for (const double width : {4.0, 1.8}) {
+    painter.setPen(QPen(width > 2.0 ? colorOf(onCt::shadow) : color, width));
+    painter.drawLine(at - QPointF(5, 5), at + QPointF(5, 5));
+    painter.drawLine(at - QPointF(5, -5), at + QPointF(5, -5));
+  }
+}
+
 void paintMarks(QPainter& painter, const CtStudy& study, const Projector& project,
                 const std::optional<ct::Mark>& dragged, Labels& labels)
 {
@@ -262,6 +301,7 @@ void paintMarkups(QPainter& painter, const CtStudy& study, std::size_t plane,
   const ct::CtMarkups whole = study.ctMarkups();
   for (std::size_t k = 0; k < whole.markups.size(); ++k) {
     const ct::Markup& each = whole.markups[k];
+    if (each.kind == ct::MarkupKind::approach) continue;  // paintApproach() shows where it is
     const double opacity = markupOpacity(study, plane, each);
     if (opacity == 0.0) continue;
     const figures::Ink& ink = study.chosenMarkup() == k ? onCt::outline : onCt::markup;
@@ -377,6 +417,7 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
                           QPointF(0.5 * size.width(), 0.5 * size.height())};
   paintOutline(painter, study, project);
   paintArray(painter, study, project);
+  paintApproach(painter, study, project);
   if (state.hasCrosshair) paintCrosshair(painter, size, study, plane, project);
   const QString name = planeName(study.frame(), plane);
   const QFontMetricsF metrics(painter.font());

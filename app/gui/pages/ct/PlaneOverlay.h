@@ -36,8 +36,8 @@ struct OverlayState {
   bool hasCrosshair = true;
 };
 
-/// Draws crosshair, outline of the measured wall, lines of A, B and H, landmarks, contacts, markups, letters of the
-/// patient's directions, scale bar and name. No label covers another one.
+/// Draws crosshair, outline of the measured wall, lines of A, B and H, line of approach, landmarks, contacts, markups,
+/// letters of the patient's directions, scale bar and name. No label covers another one.
 ///
 /// @param size  Of the picture; its center is the plane's center.
 void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, std::size_t plane,

@@ -104,13 +104,18 @@ std::optional<ct::Mark> PlaneView::markAt(const QPointF& place) const
   return nearest;
 }
 
+void PlaneView::setMarked(std::optional<ct::MarkupKind> structure) { marked_ = structure; }
+
 std::optional<CtStudy::MarkupPoint> PlaneView::markupAt(const QPointF& place) const
 {
   std::optional<CtStudy::MarkupPoint> nearest;
   double reach = reach_px;
   const auto& markups = study_.markups();
   for (std::size_t k = 0; k < markups.size(); ++k) {
-    if (markupOpacity(study_, index_, markups[k]) == 0.0) continue;
+    // the line of approach has a handle of its own
+    if (markups[k].kind == ct::MarkupKind::approach ||
+        markupOpacity(study_, index_, markups[k]) == 0.0)
+      continue;
     for (std::size_t point = 0; point < markups[k].points_P.size(); ++point) {
       const QPointF away = placeOf(markups[k].points_P[point]) - place;
       const double distance = std::hypot(away.x(), away.y());
@@ -290,6 +295,10 @@ void PlaneView::mousePressEvent(QMouseEvent* event)
     dragged_ = mark;
     study_.placeMark(mark, pointAt(mouse_));
     Q_EMIT markPlaced(mark);
+  } else if (marked_) {
+    if (!markupAt(mouse_)) study_.addPoint(*marked_, pointAt(mouse_));
+    heldMarkup_ = markupAt(mouse_);
+    study_.beginChange();
   } else if ((heldContact_ = contactAt(mouse_)) != 0) {
     isContactMoved_ = false;
     study_.chooseContact(heldContact_);
@@ -329,6 +338,12 @@ void PlaneView::mouseMoveEvent(QMouseEvent* event)
     isContactMoved_ = true;
     // its distance from the plane is kept
     study_.moveContact(heldContact_, pointAt(mouse_) + plane().behind(*point_P) * plane().away_P());
+  } else if (heldMarkup_) {
+    const auto point_P = held_P();
+    if (!point_P) return;
+    // its distance from the plane is kept
+    study_.moveMarkupPoint(*heldMarkup_,
+                           pointAt(mouse_) + plane().behind(*point_P) * plane().away_P());
   } else if (dragged_) {
     const auto& point = study_.marks()[*dragged_];
     const double behind = point ? plane().behind(*point) : 0.0;

@@ -31,6 +31,9 @@ public:
   /// The landmark that the next click places; none if empty.
   void setPlaced(std::optional<ct::Mark> mark);
 
+  /// The structure to which clicks add points; none if empty.
+  void setMarked(std::optional<ct::MarkupKind> structure);
+
   /// The place of a point in the widget [px].
   QPointF placeOf(const Eigen::Vector3d& point_P) const;
   /// The point of the plane under a place of the widget, in P [mm].
@@ -98,9 +101,10 @@ private:
   CtStudy& study_;
   std::size_t index_;
   std::optional<ct::Mark> placed_, dragged_;
+  std::optional<ct::MarkupKind> marked_;
+  std::optional<CtStudy::MarkupPoint> heldMarkup_;
   int heldContact_ = 0;
   bool isContactMoved_ = false;
-  std::optional<CtStudy::MarkupPoint> heldMarkup_;
   std::optional<QPointF> cursor_;  ///< Place of the mouse; empty outside the view.
   QPointer<QLineEdit> typed_;
   std::function<void(const QString&)> thenTyped_;

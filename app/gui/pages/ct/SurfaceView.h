@@ -13,7 +13,9 @@ namespace perilymph::gui {
 
 class CtBone;
 
-/// Shows the bone, cut open, with the fitted wall, the landmarks and an inserted array in it.
+/// Shows the bone, cut open, with the fitted wall, the landmarks and an inserted array in it. The line of
+/// approach is turned about the opening: by its handle, or by Shift and the arrow keys, a degree each, with
+/// Ctrl a tenth; Home puts it along the axis of the opening. Esc takes back what is being dragged.
 class SurfaceView : public BoneView {
   Q_OBJECT
 public:
@@ -30,9 +32,15 @@ protected:
     scene_->rotate(azimuth_deg, elevation_deg);
   }
   void zoomScene(double factor) override { scene_->zoom(factor); }
+  bool isApproachTurnable() const override;
+  void beginApproach() override;
+  void turnApproach(const Eigen::Vector3d& outward) override;
+  void endApproach(bool isTakenBack) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
 private:
   void refresh();
+  void showLandmarks();
   void makeScene();
   void lookFirst();
   void showNote();

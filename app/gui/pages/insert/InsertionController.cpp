@@ -116,8 +116,14 @@ void InsertionController::loadPatient(const anatomy::Patient& patient)
 {
   if (!maySetUp()) return;
   const session::Scenario& now = history().now().scenario;
-  const auto setup = setupOfPatient(patient, now.patient().basalTurn ? &now : nullptr);
+  auto setup = setupOfPatient(patient, now.patient().basalTurn ? &now : nullptr);
   if (!setup) return showError(dataText(setup.error().message));
+  // a line of approach was turned in another ear
+  if (now.patient().label != patient.label || now.patient().side != patient.side) {
+    auto along = withApproach(setup->scenario, {});
+    if (!along) return showError(dataText(along.error().message));
+    setup->scenario = *std::move(along);
+  }
   load({*setup});
 }
 

@@ -7,6 +7,7 @@
 #include "gui/pages/insert/FrameMeter.h"
 #include "gui/pages/insert/Pane.h"
 #include "gui/pages/insert/ViewMenu.h"
+#include "gui/run/ScenarioApproach.h"
 #include "gui/run/UserSettings.h"
 #include "gui/scene/OperationView.h"
 #include "gui/scene/StereoWindow.h"
@@ -127,6 +128,7 @@ std::unique_ptr<visualization::InsertionScene> InsertionViews::madeScene() const
   auto scene = std::make_unique<visualization::InsertionScene>(
       *scala_, array_, side_, pilot_.quality(), sceneStyle(shownColorScheme()));
   scene->bone().setBone(bone());
+  scene->setApproach(approach_);
   return scene;
 }
 
@@ -217,6 +219,7 @@ void InsertionViews::setScene(const anatomy::ScalaTympani& scala, const session:
   scala_ = &scala;
   array_ = scenario.array();
   side_ = scenario.patient().side;
+  approach_ = approachOf(scenario);
   patient_.reset();
   if (scenario.anatomy() == anatomy::AnatomySource::mean &&
       anatomy::isScaledBy(scenario.anatomy(), scenario.patient()))

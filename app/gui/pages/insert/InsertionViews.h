@@ -90,6 +90,7 @@ private:
   const anatomy::ScalaTympani* scala_ = nullptr;
   electrode::ArrayDesign array_;
   anatomy::Side side_ = anatomy::Side::right;
+  anatomy::Approach approach_;
   std::optional<anatomy::Patient> patient_;  ///< Whose cochlea it is; empty for a model.
   BoneSource boneSource_;
   haptics::Snapshot shown_{};

@@ -6,6 +6,7 @@
 #include <QVariant>
 
 #include "gui/pages/plan/PlanText.h"
+#include "gui/setup/EarApproach.h"
 #include "gui/setup/EnteredMeasures.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/text/DataText.h"
@@ -22,6 +23,8 @@ PlanHeader::PlanHeader(QWidget* parent)
       name_(new ElidedLabel(this)),
       measures_(new WrappedLabel({}, this)),
       superseded_(new WrappedLabel({}, this)),
+      approach_(new WrappedLabel({}, this)),
+      otherApproach_(new WrappedLabel({}, this)),
       change_(new WrappedLabel({}, this)),
       note_(new WrappedLabel({}, this))
 {
@@ -32,6 +35,11 @@ PlanHeader::PlanHeader(QWidget* parent)
   superseded_->setObjectName(QStringLiteral("planSuperseded"));
   superseded_->setFont(typeface(13));
   superseded_->setProperty("error", true);
+  approach_->setObjectName(QStringLiteral("planApproach"));
+  approach_->setFont(typeface(13));
+  otherApproach_->setObjectName(QStringLiteral("planOtherApproach"));
+  otherApproach_->setFont(typeface(13));
+  otherApproach_->setProperty("error", true);
   change_->setObjectName(QStringLiteral("planMeasureChange"));
   change_->setFont(typeface(12));
   note_->setObjectName(QStringLiteral("planNote"));
@@ -42,7 +50,9 @@ PlanHeader::PlanHeader(QWidget* parent)
   column->setSpacing(4);
   column->addWidget(name_);
   column->addWidget(measures_);
+  column->addWidget(approach_);
   column->addWidget(superseded_);
+  column->addWidget(otherApproach_);
   column->addWidget(change_);
   column->addWidget(note_);
 }
@@ -78,6 +88,20 @@ void PlanHeader::show(const anatomy::Patient& patient)
                       "Every simulation takes other values within these errors.")} +
        unusual)
           .join(QLatin1Char('\n')));
+}
+
+void PlanHeader::showApproach(const anatomy::Patient& patient,
+                              const std::optional<anatomy::Approach>& approach,
+                              const std::optional<anatomy::Approach>& now)
+{
+  const anatomy::Cochlea cochlea{anatomy::AnatomySource::mean, patient};
+  approach_->setVisible(approach.has_value());
+  if (approach) approach_->setText(tr("Approach: %1").arg(approachText(cochlea, *approach)));
+  otherApproach_->setVisible(now.has_value());
+  if (now)
+    otherApproach_->setText(
+        tr("The line of approach in the CT is another one now: %1. Compute makes a plan with it.")
+            .arg(approachText(cochlea, *now)));
 }
 
 void PlanHeader::setNote(const QString& note) { note_->setText(note); }

@@ -14,6 +14,7 @@
 #include "gui/pages/plan/PlanPanel.h"
 #include "gui/pages/plan/PlanView.h"
 #include "gui/pages/plan/PlannedSetup.h"
+#include "gui/run/ScenarioApproach.h"
 #include "gui/setup/Catalog.h"
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PlannedForces.h"
@@ -31,6 +32,13 @@ namespace perilymph::gui {
 namespace {
 
 constexpr int emptyStage = 0, planStage = 1, arraysStage = 2;
+
+/// Plans without an approach have the scenario's, along the axis of the opening.
+bool isSameApproach(const std::optional<anatomy::Approach>& one,
+                    const std::optional<anatomy::Approach>& other)
+{
+  return areSame(one.value_or(anatomy::Approach{}), other.value_or(anatomy::Approach{}));
+}
 
 }  // namespace
 
@@ -298,8 +306,10 @@ void PlanPage::compute()
   planning::PlanRequest request = panel_->request();
   request.scenario = scenario_;
   request.resolution = resolution_;
+  request.approach = wantedApproach(request.patient);
   if (plan_ &&
       (plan_->request.arrays != request.arrays || plan_->request.friction != request.friction ||
+       !isSameApproach(plan_->request.approach, request.approach) ||
        anatomy::patientText(plan_->request.patient) != anatomy::patientText(request.patient)))
     discardPlan();
   if (const auto done = planning::checkDraws(request.draws); !done)
@@ -310,6 +320,29 @@ void PlanPage::compute()
   showMessage(progress_);
   panel_->showProgress(0.0);
   work_.compute(request);
+}
+
+std::optional<anatomy::Approach> PlanPage::wantedApproach(const anatomy::Patient& patient) const
+{
+  if (auto ofCt = approachSource_ ? approachSource_(patient) : std::nullopt) {
+    // along the axis of the opening is the scenario's own, and one plan with plans made without a CT
+    return isAlongAxis(*ofCt) ? std::nullopt : ofCt;
+  }
+  const bool isSame =
+      plan_ && anatomy::patientText(plan_->request.patient) == anatomy::patientText(patient);
+  return isSame ? plan_->request.approach : std::nullopt;
+}
+
+void PlanPage::showApproach()
+{
+  const auto patient = plan_ ? std::optional(plan_->request.patient) : panel_->patient();
+  if (!patient) return;
+  const auto wanted = wantedApproach(*patient);
+  const auto shown = plan_ ? plan_->request.approach : wanted;
+  head_->showApproach(*patient, shown,
+                      isSameApproach(shown, wanted)
+                          ? std::nullopt
+                          : std::optional(wanted.value_or(anatomy::Approach{})));
 }
 
 bool PlanPage::cancel() { return leaveArrays() || stop(); }
@@ -341,6 +374,7 @@ void PlanPage::onShown()
     head_->show(plan_->request.patient);
   else if (panel_->patient())
     head_->show(*panel_->patient());
+  showApproach();
 }
 
 void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored)
@@ -349,6 +383,7 @@ void PlanPage::showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stor
   folder_ = stored.folder;
   madeUtc_ = stored.madeUtc;
   head_->show(plan->request.patient);
+  showApproach();
   const auto draws = plan->arrays.empty() ? 0 : int(plan->arrays.front().draws);
   const QString run = tr("%1 simulations, %2 insertions").arg(draws).arg(plan->insertions.size());
   const QString seal = plan->seal == Seal::changed ? tr("changed by hand, ") : QString();
@@ -404,6 +439,7 @@ void PlanPage::discardPlan()
   notes_->show({});
   stages_->setCurrentIndex(emptyStage);
   if (panel_->patient()) head_->show(*panel_->patient());
+  showApproach();
   showMessage({});
 }
 

@@ -59,6 +59,13 @@ public:
   }
   /// Where the CT of a series is, as far as it is open.
   void setCtPlaces(CtPlaces places) { ctPlaces_ = std::move(places); }
+  /// The approach of a patient's cochlea in the CT that is open; empty for any other patient, whose plans have
+  /// that of the scenario.
+  using ApproachSource =
+      std::function<std::optional<anatomy::Approach>(const anatomy::Patient& patient)>;
+  void setApproachSource(ApproachSource source) { approachSource_ = std::move(source); }
+  /// Shows the approach of the plan, or of the one to be made.
+  void showApproach();
   PlanList& list() { return *list_; }
   PlanView& view() { return *view_; }
 
@@ -75,6 +82,8 @@ private:
   void connectPanel();
   void connectWork();
   void compute();
+  /// The approach of the next plan of a patient: that of the CT, else that of the plan shown, if any.
+  std::optional<anatomy::Approach> wantedApproach(const anatomy::Patient& patient) const;
   bool stop();
   void openStored(const StoredPlan& stored);
   void showPlan(const PlanWork::SharedPlan& plan, const StoredPlan& stored);
@@ -97,6 +106,7 @@ private:
   std::size_t firstDone_ = 0;  ///< Insertions that were done then.
   QString progress_;           ///< What is said of the computation; empty without one.
   CtPlaces ctPlaces_;
+  ApproachSource approachSource_;
   std::optional<planning::Resolution> resolution_ = planning::Resolution{};
   PlanPanel* panel_;
   QStackedWidget* stages_;

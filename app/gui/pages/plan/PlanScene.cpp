@@ -31,7 +31,7 @@ void PlanScene::clear()
   update();
 }
 
-void PlanScene::show(const PlanShapeWork::Shape& shape)
+void PlanScene::show(const PlanShapeWork::Shape& shape, const anatomy::Approach& approach)
 {
   clear();
   shape_ = shape;
@@ -42,6 +42,7 @@ void PlanScene::show(const PlanShapeWork::Shape& shape)
   scene_->setScale(devicePixelRatioF() * textScale());
   scene_->attachTo(*renderWindow());
   scene_->lookFrom(visualization::CameraPreset::surgeon);
+  scene_->setApproach(approach);
   scene_->show(shape->end);
   render();
 }

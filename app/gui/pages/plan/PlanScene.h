@@ -19,7 +19,8 @@ public:
   explicit PlanScene(QWidget* parent);
   ~PlanScene() override;
 
-  void show(const PlanShapeWork::Shape& shape);
+  /// @param approach  Of the plan; the simulation that is shown deviates from it.
+  void show(const PlanShapeWork::Shape& shape, const anatomy::Approach& approach);
   void clear();
   /// Arrows and colors of the forces with their scales.
   void showForces(bool areShown);

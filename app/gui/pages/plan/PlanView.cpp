@@ -214,7 +214,7 @@ void PlanView::show(const PlanWork::SharedPlan& plan, std::vector<std::size_t> a
 void PlanView::showShape(std::size_t place, const PlanShapeWork::Shape& shape)
 {
   panes_[place].title->setText(shapeTitle(plan_->arrays[arrays_[place]], shape->insertion));
-  panes_[place].scene->show(shape);
+  panes_[place].scene->show(shape, plan_->request.approach.value_or(anatomy::Approach{}));
   panes_[place].scene->showForces(arrays_.size() == 1);
   refreshBone();
   if (place > 0) panes_[place].scene->lookAs(*panes_[0].scene);

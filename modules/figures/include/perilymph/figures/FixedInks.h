@@ -31,9 +31,8 @@ inline constexpr Ink mark{{255, 255, 255}, 1.0};
 inline constexpr Ink shadow{{0, 0, 0}, 176.0 / 255.0};  ///< Below lines and text.
 inline constexpr Ink outline{{0x45, 0xC4, 0xB0}, 1.0};  ///< The measured wall; a mark that is held.
 inline constexpr Ink array{{0xFF, 0xE0, 0x8A}, 1.0};
-inline constexpr Ink markup{{0xF4, 0xA6, 0xD7}, 1.0};  ///< Distances, angles, notes, structures.
-inline constexpr Ink approach{{0xFF, 0x9E, 0x5E}, 1.0};   ///< Line of approach.
-inline constexpr Ink structure{{0xD8, 0xA7, 0xF0}, 1.0};  ///< Structures marked by hand.
+inline constexpr Ink markup{{0xF4, 0xA6, 0xD7}, 1.0};    ///< Distances, angles, notes, structures.
+inline constexpr Ink approach{{0xFF, 0x9E, 0x5E}, 1.0};  ///< Line of approach.
 inline constexpr std::array<Ink, 3> planes{
     {{{0xE6, 0x9F, 0x00}, 1.0}, {{0x56, 0xB4, 0xE9}, 1.0}, {{0x9F, 0xD4, 0x5F}, 1.0}}};
 }  // namespace onCt

@@ -34,7 +34,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 92;
+constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 88,
+              structureWidth_px = 122;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
 {
@@ -314,6 +315,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
         QStringLiteral("structure_%1").arg(QLatin1String(nameIn(ct::markupKinds, kind))));
     row.mark->setProperty("small", true);
     row.mark->setCheckable(true);
+    row.mark->setFixedWidth(sized(structureWidth_px));
     row.mark->setToolTip(tr("Press, then click points into the pictures; press again to end. %1")
                              .arg(structureGuide(kind)));
     row.distance = panelText({}, 13, this);
@@ -343,7 +345,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
     connect(row.remove, &QPushButton::clicked, &study_,
             [this, kind] { study_.removeStructure(kind); });
   }
-  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   structureGuide_ = panelText({}, 12, this);
   structureGuide_->setObjectName(QStringLiteral("structureGuide"));

@@ -316,6 +316,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
     row.mark->setProperty("small", true);
     row.mark->setCheckable(true);
     row.mark->setFixedWidth(sized(structureWidth_px));
+    row.mark->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row.mark->setToolTip(tr("Press, then click points into the pictures; press again to end. %1")
                              .arg(structureGuide(kind)));
     row.distance = panelText({}, 13, this);
@@ -329,6 +330,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
            "leaves out the width of the structure and of an instrument, navigation and the hand."));
     row.remove = rowButton(QStringLiteral("×"), "", this);
     row.remove->setFixedWidth(sized(removeWidth_px));
+    row.remove->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row.remove->setToolTip(tr("Remove"));
     row.remove->setProperty("small", true);
     row.remove->setAccessibleName(tr("Remove: %1").arg(structureName(kind)));

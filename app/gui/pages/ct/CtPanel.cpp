@@ -34,7 +34,8 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 92;
+constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 88,
+              structureWidth_px = 122;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
 {
@@ -314,6 +315,8 @@ void CtPanel::addStructures(QVBoxLayout& column)
         QStringLiteral("structure_%1").arg(QLatin1String(nameIn(ct::markupKinds, kind))));
     row.mark->setProperty("small", true);
     row.mark->setCheckable(true);
+    row.mark->setFixedWidth(sized(structureWidth_px));
+    row.mark->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row.mark->setToolTip(tr("Press, then click points into the pictures; press again to end. %1")
                              .arg(structureGuide(kind)));
     row.distance = panelText({}, 13, this);
@@ -327,6 +330,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
            "leaves out the width of the structure and of an instrument, navigation and the hand."));
     row.remove = rowButton(QStringLiteral("×"), "", this);
     row.remove->setFixedWidth(sized(removeWidth_px));
+    row.remove->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row.remove->setToolTip(tr("Remove"));
     row.remove->setProperty("small", true);
     row.remove->setAccessibleName(tr("Remove: %1").arg(markupName(kind)));
@@ -343,7 +347,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
     connect(row.remove, &QPushButton::clicked, &study_,
             [this, kind] { study_.removeStructure(kind); });
   }
-  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
   column.addLayout(grid);
   structureGuide_ = panelText({}, 12, this);
   structureGuide_->setObjectName(QStringLiteral("structureGuide"));

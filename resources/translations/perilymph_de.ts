@@ -8352,6 +8352,74 @@
         <source>remove the chosen markup; undo, redo; keep a key image for the report</source>
         <translation>gewählte Markierung entfernen; rückgängig, wiederholen; Schlüsselbild für den Bericht behalten</translation>
     </message>
+    <message>
+        <source>Click along the center of its canal: the mastoid part below the lateral semicircular canal, in axial slices from above downward.</source>
+        <translation>Entlang der Mitte seines Kanals klicken: den mastoidalen Abschnitt unterhalb des lateralen Bogengangs, in axialen Schichten von oben nach unten.</translation>
+    </message>
+    <message>
+        <source>Click along its canal, from the mastoid part of the facial nerve up to the tympanic cavity. Where the slices do not show it, it is not marked.</source>
+        <translation>Entlang ihres Kanals klicken, vom mastoidalen Abschnitt des N. facialis aufwärts bis zur Paukenhöhle. Wo die Schichten sie nicht zeigen, wird sie nicht markiert.</translation>
+    </message>
+    <message>
+        <source>Click on the surface of the posterior wall of the ear canal that faces the mastoid.</source>
+        <translation>Auf die dem Mastoid zugewandte Fläche der hinteren Gehörgangswand klicken.</translation>
+    </message>
+    <message>
+        <source>Line of approach</source>
+        <translation>Zugangslinie</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Zugang</translation>
+    </message>
+    <message>
+        <source>Approach, from which simulations deviate: %1.</source>
+        <translation>Zugang, von dem die Simulationen abweichen: %1.</translation>
+    </message>
+    <message>
+        <source>Approach: %1.</source>
+        <translation>Zugang: %1.</translation>
+    </message>
+    <message>
+        <source>along the axis of the opening</source>
+        <translation>in der Achse der Öffnung</translation>
+    </message>
+    <message>
+        <source>line of approach</source>
+        <translation>Zugangslinie</translation>
+    </message>
+    <message>
+        <source>Bone: drag the handle of the line, Shift+arrow keys; Home</source>
+        <translation>Knochen: Griff der Linie ziehen, Umschalt+Pfeiltasten; Pos1</translation>
+    </message>
+    <message>
+        <source>turn the line of approach; along the axis of the opening</source>
+        <translation>Zugangslinie drehen; in die Achse der Öffnung legen</translation>
+    </message>
+    <message>
+        <source>%1° toward the lateral wall</source>
+        <translation>%1° zur Außenwand</translation>
+    </message>
+    <message>
+        <source>%1° toward the modiolus</source>
+        <translation>%1° zum Modiolus</translation>
+    </message>
+    <message>
+        <source>%1° toward the basilar membrane</source>
+        <translation>%1° zur Basilarmembran</translation>
+    </message>
+    <message>
+        <source>%1° toward the floor of the scala tympani</source>
+        <translation>%1° zum Boden der Scala tympani</translation>
+    </message>
+    <message>
+        <source>%1 in the plane of the basal turn, %2 out of it</source>
+        <translation>%1 in der Ebene der Basalwindung, %2 aus ihr</translation>
+    </message>
+    <message>
+        <source>The simulation allows at most %1° of tilt and of turn from the axis of the opening.</source>
+        <translation>Die Simulation erlaubt höchstens %1° Neigung und Drehung gegenüber der Achse der Öffnung.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::AboutOverlay</name>
@@ -8724,6 +8792,14 @@
     <message>
         <source>Sample rate of the haptic loop, samples that started more than one period late, and frames per second of the window.</source>
         <translation>Abtastrate der haptischen Schleife, Abtastwerte mit mehr als einer Periode Verspätung, und Bilder pro Sekunde des Fensters.</translation>
+    </message>
+    <message>
+        <source>The line of approach. It is turned on the page CT, in the picture of the bone.</source>
+        <translation>Die Zugangslinie. Sie wird auf der Seite CT gedreht, im Bild des Knochens.</translation>
+    </message>
+    <message>
+        <source>Approach: %1</source>
+        <translation>Zugang: %1</translation>
     </message>
 </context>
 <context>
@@ -9189,6 +9265,10 @@
         <source>%1 markups were loaded.</source>
         <translation>%1 Markierungen wurden geladen.</translation>
     </message>
+    <message>
+        <source>An insertion into this cochlea is in progress, or is replayed: reset it, or close the replay, to turn its line of approach.</source>
+        <translation>Eine Insertion in diese Cochlea läuft oder wird wiedergegeben: Setzen Sie sie zurück, oder schließen Sie die Wiedergabe, um ihre Zugangslinie zu drehen.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::CtPanel</name>
@@ -9339,6 +9419,50 @@
     <message>
         <source>from landmarks</source>
         <translation>aus Landmarken</translation>
+    </message>
+    <message>
+        <source>APPROACH TO THE BASAL TURN</source>
+        <translation>ZUGANG ZUR BASALWINDUNG</translation>
+    </message>
+    <message>
+        <source>in its plane</source>
+        <translation>in ihrer Ebene</translation>
+    </message>
+    <message>
+        <source>out of it</source>
+        <translation>aus ihr</translation>
+    </message>
+    <message>
+        <source>Along the axis of the opening</source>
+        <translation>In der Achse der Öffnung</translation>
+    </message>
+    <message>
+        <source>Home, in the picture of the bone</source>
+        <translation>Pos1, im Bild des Knochens</translation>
+    </message>
+    <message>
+        <source>Where the array points at the opening, from the tangent of the scala tympani’s center line there. Turn the line by its handle in the picture of the bone. Insert and Plan use it.</source>
+        <translation>Wohin der Träger an der Öffnung zeigt, gegenüber der dortigen Tangente der Mittellinie der Scala tympani. Die Linie an ihrem Griff im Bild des Knochens drehen. Insertion und Plan verwenden sie.</translation>
+    </message>
+    <message>
+        <source>STRUCTURES BESIDE THE APPROACH</source>
+        <translation>STRUKTUREN NEBEN DEM ZUGANG</translation>
+    </message>
+    <message>
+        <source>Press, then click points into the pictures; press again to end. %1</source>
+        <translation>Drücken, dann Punkte in den Bildern anklicken; erneut drücken, um zu enden. %1</translation>
+    </message>
+    <message>
+        <source>Shortest distance between the line of approach and the marked course, with its 95 % interval: from placing by hand (standard deviation 0.3 mm) and from the voxels. It leaves out the width of the structure and of an instrument, navigation and the hand.</source>
+        <translation>Kürzester Abstand zwischen der Zugangslinie und dem markierten Verlauf, mit 95-%-Intervall: aus dem Setzen von Hand (Standardabweichung 0,3 mm) und aus den Voxeln. Nicht enthalten sind die Breite der Struktur und eines Instruments, Navigation und Hand.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove: %1</source>
+        <translation>Entfernen: %1</translation>
     </message>
 </context>
 <context>
@@ -11739,6 +11863,14 @@ verwenden</translation>
         <source>95 % intervals, errors as measured, that of %1 (entered) assumed: SD %2 mm</source>
         <translation>95-%-Intervalle, Fehler wie gemessen, der von %1 (eingegeben) angenommen: SD %2 mm</translation>
     </message>
+    <message>
+        <source>Approach: %1</source>
+        <translation>Zugang: %1</translation>
+    </message>
+    <message>
+        <source>The line of approach in the CT is another one now: %1. Compute makes a plan with it.</source>
+        <translation>Die Zugangslinie im CT ist inzwischen eine andere: %1. Berechnen erstellt einen Plan mit ihr.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::PlanList</name>
@@ -13838,6 +13970,14 @@ Die ersten Bänder kommen nach 8 Simulationen jedes Trägers.</translation>
     <message>
         <source>Bone of the CT, cut open from below</source>
         <translation>Knochen des CT, von unten aufgeschnitten</translation>
+    </message>
+    <message>
+        <source>Drag the handle on the line of approach, or Shift+arrow keys: turn it about the opening. Home: along the axis of the opening.</source>
+        <translation>Griff der Zugangslinie ziehen oder Umschalt+Pfeiltasten: um die Öffnung drehen. Pos1: in die Achse der Öffnung legen.</translation>
+    </message>
+    <message>
+        <source>Approach: %1, %2</source>
+        <translation>Zugang: %1, %2</translation>
     </message>
 </context>
 <context>

@@ -65,8 +65,8 @@ Result<std::string> shapesCsv(const planning::Plan& plan, const std::stop_token&
   for (std::size_t i = 0; i < ends->size(); ++i) {
     std::size_t node = 0;
     for (const auto& node_W : (*ends)[i].node_W) {
-      csv += csvField(plan.arrays[i].array) + "," + std::to_string((*ends)[i].draw) +
-             "," + std::to_string(++node);
+      csv += csvField(plan.arrays[i].array) + "," + std::to_string((*ends)[i].draw) + "," +
+             std::to_string(++node);
       for (const float place : node_W)
         csv += "," + fixed(inMillimeters(meters(static_cast<double>(place))), 4);
       csv += '\n';

@@ -70,8 +70,8 @@ TEST(ReplayCommand, DrawsAThumbnailOfItsSizeAndWithoutThePatient)
   };
   EXPECT_EQ(number(16), 128u);
   EXPECT_EQ(number(20), 128u);
-  expectRefusal(cli({"replay", folder / "run.insertion", "--size", "128"}), "--thumbnail");
-  expectRefusal(
+  expectUsageError(cli({"replay", folder / "run.insertion", "--size", "128"}), "--thumbnail");
+  expectUsageError(
       cli({"replay", folder / "run.insertion", "--thumbnail", folder / "t", "--size", "5"}),
       "size");
 }

@@ -217,7 +217,7 @@ TEST(Study, RefusesWhatItCannotRunInOneSentence)
   EXPECT_THAT(refusal(text + "speed_mm_s = []\n"), HasSubstr("at least one"));
   EXPECT_THAT(refusal(text + "stop_travel_mm = [10.0]\n"), HasSubstr("depth = \"scenario\""));
   EXPECT_THAT(refusal(text + "[ranges]\nspeed_mm_s = [2.0, 0.2]\n"),
-              HasSubstr("lower and the upper"));
+              HasSubstr("goes from 2 to 0.2; the first must be the lower end"));
   EXPECT_THAT(refusal("samples = 5\n" + text), HasSubstr("needs a range"));
   EXPECT_THAT(refusal("title = \"x\"\nscenario = \"mean-flex28\"\n"), HasSubstr("no cochlea"));
   EXPECT_THAT(refusal("title = \"x\"\nscenario = \"contour-published\"\n[cochleae]\nvirtual = 3\n"),

@@ -579,6 +579,9 @@ void CtPage::connectMarkups()
   connect(&study_, &CtStudy::markupsChanged, this, [this] {
     if (!isShowingKept_ && study_.hasCt()) keeping_.start();
   });
+  connect(&study_, &CtStudy::changed, this, [this] {
+    if (study_.tool()) panel_->endStructure();  // clicks place its points now
+  });
   surface_->installEventFilter(this);  // what is looked at last is kept as a key image
   connect(markupBar_, &MarkupBar::keyImageRequested, this, &CtPage::takeKeyImage);
   connect(markupBar_, &MarkupBar::keyImageRemoved, this, [this](const std::filesystem::path& file) {
@@ -594,7 +597,6 @@ void CtPage::toggleTool(ct::MarkupKind tool)
 {
   for (PlaneView* view : views_) view->setPlaced({});
   panel_->showMark({});
-  panel_->endStructure();
   study_.setTool(study_.tool() == tool ? std::nullopt : std::optional(tool));
 }
 

@@ -34,7 +34,7 @@ namespace perilymph::gui {
 
 namespace {
 
-constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 88,
+constexpr int panelWidth_px = 300, wideWidth_px = 560, removeWidth_px = 28, distanceWidth_px = 52,
               structureWidth_px = 122;
 
 QLabel* panelText(const QString& caption, int size_px, QWidget* parent)
@@ -320,8 +320,7 @@ void CtPanel::addStructures(QVBoxLayout& column)
     row.mark->setToolTip(tr("Press, then click points into the pictures; press again to end. %1")
                              .arg(structureGuide(kind)));
     row.distance = panelText({}, 13, this);
-    row.distance->setWordWrap(false);
-    row.distance->setMinimumWidth(sized(distanceWidth_px));
+    row.distance->setMinimumWidth(sized(distanceWidth_px));  // two lines in a narrow column
     row.distance->setObjectName(
         QStringLiteral("distance_%1").arg(QLatin1String(nameIn(ct::markupKinds, kind))));
     row.distance->setToolTip(

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "perilymph/figures/FixedInks.h"
+
 namespace perilymph::visualization {
 namespace {
 
@@ -63,7 +65,7 @@ void LandmarkParts::lookFrom(const ViewFrame& view)
       for (const double side : {-0.5, 0.5})
         draw(to, to + arrow_mm * (back + side * aside.normalized()), approachColor);
   }
-  const Rgba courseColor = withOpacity(palette_.forceLow, 0.95);
+  const Rgba courseColor = rgbaOf(figures::onBone::markup);
   for (const MarkedCourse& course : places_.courses) {
     for (std::size_t k = 0; k + 1 < course.points.size(); ++k)
       draw(course.points[k], course.points[k + 1], courseColor);

@@ -3,15 +3,6 @@
 
 namespace perilymph::visualization {
 
-namespace {
-
-Rgba rgbaOf(const figures::Ink& ink)
-{
-  return withOpacity({ink.rgb[0], ink.rgb[1], ink.rgb[2], 0}, ink.opacity);
-}
-
-}  // namespace
-
 SceneColors::SceneColors(const figures::Palette& palette)
     : scheme(palette.scheme),
       bone(rgbaOf(palette.bone)),

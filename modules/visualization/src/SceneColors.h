@@ -31,4 +31,9 @@ inline Rgba withOpacity(Rgba color, double opacity)
   return color;
 }
 
+inline Rgba rgbaOf(const figures::Ink& ink)
+{
+  return withOpacity({ink.rgb[0], ink.rgb[1], ink.rgb[2], 0}, ink.opacity);
+}
+
 }  // namespace perilymph::visualization

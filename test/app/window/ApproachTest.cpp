@@ -7,6 +7,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "CutTexts.h"
 #include "KeptPicture.h"
 #include "TheCtPage.h"
 #include "gui/pages/ct/CtBone.h"
@@ -140,6 +141,7 @@ TEST_F(TheApproach, IsTurnedByKeysUpToWhatTheSimulationAllows)
   QTest::keyClick(&surface(), Qt::Key_Up, Qt::ShiftModifier);
   EXPECT_EQ(rig_.label("approachInPlane"), QStringLiteral("2.9° toward the lateral wall"));
   EXPECT_EQ(rig_.label("approachOutOfPlane"), QStringLiteral("1.0° toward the basilar membrane"));
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(page()).empty(); }));  // of two lines
   EXPECT_FALSE(page().findChild<QLabel*>("approachLimit")->isVisible());
   for (int k = 0; k < 40; ++k) QTest::keyClick(&surface(), Qt::Key_Left, Qt::ShiftModifier);
   EXPECT_TRUE(page().findChild<QLabel*>("approachLimit")->isVisible());

@@ -267,11 +267,14 @@ void CtPanel::addMarks(QVBoxLayout& column)
 
 void CtPanel::addApproach(QVBoxLayout& column)
 {
-  approach_ = new QWidget(this);
-  auto* rows = new QGridLayout(approach_);
-  rows->setContentsMargins(0, spacing, 0, 0);
+  column.addSpacing(spacing);
+  auto* rows = new QGridLayout;
   rows->setVerticalSpacing(4);
-  rows->addWidget(panelHeading(tr("APPROACH TO THE BASAL TURN"), this), 0, 0, 1, 2);
+  const auto add = [this, rows](QWidget* widget, int row, int place, int columns) {
+    rows->addWidget(widget, row, place, 1, columns);
+    approach_.push_back(widget);
+  };
+  add(panelHeading(tr("APPROACH TO THE BASAL TURN"), this), 0, 0, 2);
   inPlane_ = panelText({}, 13, this);
   inPlane_->setObjectName(QStringLiteral("approachInPlane"));
   outOfPlane_ = panelText({}, 13, this);
@@ -281,8 +284,9 @@ void CtPanel::addApproach(QVBoxLayout& column)
   for (int k = 0; k < 2; ++k) {
     QLabel* const name = panelText(names[std::size_t(k)], 13, this);
     name->setWordWrap(false);
-    rows->addWidget(name, k + 1, 0, Qt::AlignTop);
-    rows->addWidget(values[std::size_t(k)], k + 1, 1);
+    name->setAlignment(Qt::AlignTop);
+    add(name, k + 1, 0, 1);
+    add(values[std::size_t(k)], k + 1, 1, 1);
   }
   rows->setColumnStretch(1, 1);
   approachLimit_ = panelText(approachLimitText(), 12, this);
@@ -291,12 +295,13 @@ void CtPanel::addApproach(QVBoxLayout& column)
   rows->addWidget(approachLimit_, 3, 0, 1, 2);
   resetApproach_ = rowButton(tr("Along the axis of the opening"), "resetApproachButton", this);
   resetApproach_->setToolTip(tr("Home, in the picture of the bone"));
-  rows->addWidget(resetApproach_, 4, 0, 1, 2);
-  approach_->setToolTip(
-      tr("Where the array points at the opening, from the tangent of the scala tympani’s center "
-         "line there. Turn the line by its handle in the picture of the bone. Insert and Plan use "
-         "it."));
-  column.addWidget(approach_);
+  add(resetApproach_, 4, 0, 2);
+  for (QLabel* const value : values)
+    value->setToolTip(
+        tr("Where the array points at the opening, from the tangent of the scala tympani’s center "
+           "line there. Turn the line by its handle in the picture of the bone. Insert and Plan "
+           "use it."));
+  column.addLayout(rows);
   connect(resetApproach_, &QPushButton::clicked, &study_, &CtStudy::resetApproach);
   connect(&study_, &CtStudy::approachMoved, this, &CtPanel::showApproach);
 }
@@ -378,11 +383,11 @@ void CtPanel::showApproach()
     structureGuide_->show();
   }
   const auto angles = study_.approachAngles();
-  approach_->setVisible(angles.has_value());
+  for (QWidget* const each : approach_) each->setVisible(angles.has_value());
+  approachLimit_->setVisible(study_.isApproachAtLimit());
   if (!angles) return;
   inPlane_->setText(inPlaneText(*angles));
   outOfPlane_->setText(outOfPlaneText(*angles));
-  approachLimit_->setVisible(study_.isApproachAtLimit());
   resetApproach_->setEnabled(study_.isApproachTurned());
 }
 

@@ -93,7 +93,7 @@ private:
   std::array<QPushButton*, ct::markCount> marks_{};
   MarkGuide* guide_;
   QPushButton *undo_, *redo_;
-  QWidget* approach_;
+  std::vector<QWidget*> approach_;  ///< What is shown of a line of approach.
   QLabel *inPlane_, *outOfPlane_, *approachLimit_;
   QPushButton* resetApproach_;
   /// A structure of the approach: begins to mark it, its distance, removes it.

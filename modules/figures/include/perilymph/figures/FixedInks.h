@@ -37,4 +37,9 @@ inline constexpr std::array<Ink, 3> planes{
     {{{0xE6, 0x9F, 0x00}, 1.0}, {{0x56, 0xB4, 0xE9}, 1.0}, {{0x9F, 0xD4, 0x5F}, 1.0}}};
 }  // namespace onCt
 
+/// Over the surface of bone, which is light in both schemes.
+namespace onBone {
+inline constexpr Ink markup{{0xB4, 0x2A, 0x86}, 1.0};  ///< The hue of onCt::markup.
+}  // namespace onBone
+
 }  // namespace perilymph::figures

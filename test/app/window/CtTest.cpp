@@ -859,6 +859,17 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
   walk.step(3, rig.window());
   QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, from + QPoint(14, 6));
 
+  gui::CtStudy& study = page.study();
+  study.turnApproach(anatomy::BasalTurnAngles{degrees(3), degrees(2)});
+  study.endChange();
+  const ct::ApproachLine line = *study.approachLine();
+  const Eigen::Vector3d aside_P = line.outward_P.unitOrthogonal();
+  for (const double along : {-3.0, 0.0, 3.0})
+    study.addPoint(ct::MarkupKind::facialNerve,
+                   line.at(4.0) + 3.0 * aside_P + along * line.outward_P.cross(aside_P));
+  ASSERT_EQ(study.pointsOf(ct::MarkupKind::facialNerve).size(), 3u);
+  walk.step(4, rig.window());
+
   rig.type("ctPatientCode", "CT-203");
   rig.click("insertCtButton");
   ASSERT_TRUE(WindowRig::waitUntil(
@@ -870,14 +881,21 @@ TEST(AWalkThroughACt, OfASurgeonEndsWithTheArrayInTheScan)
       return label->isVisible() && label->text() == "computing…";
     });
   }));
-  walk.step(4, rig.window());
+  walk.step(5, rig.window());
 
   rig.click("startButton");
   ASSERT_TRUE(WindowRig::waitUntil([&] { return rig.travel_mm() > 14.0; }));
   rig.click("ctPageButton");
   page.study().moveCrosshair(ct::basalTurnCenter_P(*page.study().measures()) -
                              0.3 * page.study().measures()->axis_P);
-  walk.step(5, rig.window());
+  walk.step(6, rig.window());
+
+  const Eigen::Vector3d at = study.crosshair_P(), right = study.planes()[0].right_P,
+                        down = study.planes()[0].down_P;
+  ASSERT_TRUE(study.addMarkups({{ct::MarkupKind::distance, {at - 5 * right, at + 4 * right}},
+                                {ct::MarkupKind::angle, {at - 4 * down, at, at + 3 * right + down}},
+                                {ct::MarkupKind::note, {at + 4 * down}, "high jugular bulb"}}));
+  walk.step(7, rig.window());
   EXPECT_EQ(walk.left(), "");
 }
 

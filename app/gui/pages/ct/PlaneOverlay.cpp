@@ -442,9 +442,11 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   labels.paint(taken);
   if (!cursor.isEmpty()) painter.fillRect(cursorArea.adjusted(-4, -2, 4, 2), colorOf(onCt::shadow));
   drawText(painter, cursorArea, Qt::AlignLeft, cursor.join(QLatin1Char('\n')), colorOf(onCt::mark));
-  for (const Letters& each : letters)
-    drawText(painter, each.area.adjusted(spacing, spacing, -spacing, -spacing), each.at, each.text,
-             colorOf(onCt::mark));
+  for (const Letters& each : letters) {
+    const QRectF area = each.area.adjusted(spacing, spacing, -spacing, -spacing);
+    if (cursor.isEmpty() || !area.intersects(cursorArea))  // in a narrow pane
+      drawText(painter, area, each.at, each.text, colorOf(onCt::mark));
+  }
   paintScaleBar(painter, size, pixel_mm);
   drawText(painter, QRectF(spacing, spacing, size.width(), 20), Qt::AlignLeft | Qt::AlignTop, name,
            colorOf(onCt::planes[plane]));

@@ -226,6 +226,9 @@ TEST_F(FirstScreen, TheFormShowsWhatTheMeasuresMean)
   EXPECT_EQ(measure("duct_length_mm"), "33.4 ± 1.2 mm");
   EXPECT_TRUE(measure("angular_insertion_depth_deg").endsWith("°"));
   EXPECT_TRUE(measure("coverage_percent").endsWith(" %"));
+  type("aValue", "9.80");
+  EXPECT_EQ(measure("duct_length_mm"), "–") << "until the other cochlea's is computed";
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return measure("duct_length_mm").contains("±"); }));
   type("aValue", "");
   EXPECT_FALSE(measure("duct_length_mm").contains("33.4"));
 }

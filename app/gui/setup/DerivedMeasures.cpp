@@ -88,7 +88,8 @@ void DerivedMeasures::show(const anatomy::Cochlea& cochlea, const electrode::Arr
   shown_ = std::move(key);
   cochlea_ = cochlea;
   array_ = array;
-  for (const auto& [name, value] : rows_) value->setText(tr("–"));  // those shown are of another one
+  for (const auto& [name, value] : rows_)
+    value->setText(tr("–"));  // those shown are of another one
   showMessage(tr("computing…"));
   note_->show();
   delay_.start();

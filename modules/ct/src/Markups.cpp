@@ -163,8 +163,11 @@ std::optional<MarkupValue> valueOf(const Markup& markup, const Eigen::Matrix3d& 
 std::optional<Sentence> outsideNote(const CtMarkups& markups, const CtVolume& volume)
 {
   const auto outside = std::ranges::count_if(markups.markups, [&](const Markup& each) {
-    return !std::ranges::all_of(each.points_P,
-                                [&](const auto& point_P) { return volume.contains(point_P); });
+    // a line of approach begins outside the head, or outside a small field of view
+    const std::size_t first = each.kind == MarkupKind::approach ? each.points_P.size() - 1 : 0;
+    return !std::all_of(each.points_P.begin() + static_cast<std::ptrdiff_t>(first),
+                        each.points_P.end(),
+                        [&](const auto& point_P) { return volume.contains(point_P); });
   });
   if (outside == 0) return std::nullopt;
   return Sentence{

@@ -118,6 +118,28 @@ TEST_F(Markups, OfThreeClicksHaveTheAngleAtTheSecond)
   EXPECT_NEAR(valueOf(0), 45.0, 1e-9);
 }
 
+TEST_F(Markups, AreNotMovedByADragWhoseOwnWasRemoved)
+{
+  placeDistance();
+  const Vector3d at = study().crosshair_P(), right = study().planes()[0].right_P,
+                 down = study().planes()[0].down_P;
+  const ct::Markup other{ct::MarkupKind::angle, {at + 3 * right, at + 3 * down, at - 2 * right}};
+  ASSERT_TRUE(study().addMarkups({other}));
+  gui::PlaneView& plane = view(0);
+  const QPoint from = plane.placeOf(study().markups()[0].points_P[1]).toPoint();
+  QTest::mousePress(&plane, Qt::LeftButton, Qt::NoModifier, from);
+  rig_.pressKey(Qt::Key_Delete);
+  QMouseEvent move(QEvent::MouseMove, from + QPointF(30, 20), Qt::NoButton, Qt::LeftButton,
+                   Qt::NoModifier);
+  QCoreApplication::sendEvent(&plane, &move);
+  QTest::mouseRelease(&plane, Qt::LeftButton, Qt::NoModifier, from + QPoint(30, 20));
+  ASSERT_EQ(study().markups().size(), 1U);
+  EXPECT_EQ(study().markups()[0], other);
+  // what is there is not added again
+  ASSERT_TRUE(study().addMarkups({other}));
+  EXPECT_EQ(study().markups().size(), 1U);
+}
+
 TEST_F(Markups, AreDraggedRemovedAndBroughtBack)
 {
   placeDistance();

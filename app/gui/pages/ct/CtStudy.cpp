@@ -305,6 +305,7 @@ void CtStudy::keepLine(const anatomy::Approach& approach)
   std::erase_if(now_.markups,
                 [](const ct::Markup& each) { return each.kind == ct::MarkupKind::approach; });
   chosenMarkup_.reset();  // others may have another place now
+  Q_EMIT markupsRenumbered();
   if (isAlongAxis(approach)) return;
   const ct::ApproachLine line = ct::approachLine(*now_.measures, *now_.opening, approach);
   now_.markups.push_back({ct::MarkupKind::approach, {line.at(keptApproach_mm), line.opening_P}});
@@ -364,6 +365,7 @@ void CtStudy::removeStructure(ct::MarkupKind structure)
   std::erase_if(now_.markups,
                 [structure](const ct::Markup& each) { return each.kind == structure; });
   isChangeOpen_ = false;
+  Q_EMIT markupsRenumbered();
   announceMarkups();
 }
 
@@ -418,6 +420,7 @@ void CtStudy::showMarkups(std::vector<ct::Markup> markups)
 {
   now_.markups = std::move(markups);
   chosenMarkup_.reset();
+  Q_EMIT markupsRenumbered();
   announceMarkups();
 }
 
@@ -425,7 +428,9 @@ Result<void> CtStudy::addMarkups(const std::vector<ct::Markup>& markups)
 {
   if (!hasCt() || markups.empty()) return {};
   ct::CtMarkups whole = ctMarkups();
-  whole.markups = markups;
+  for (whole.markups.clear(); const ct::Markup& each : markups)
+    if (std::ranges::find(now_.markups, each) == now_.markups.end()) whole.markups.push_back(each);
+  if (whole.markups.empty()) return {};  // all are there
   if (const auto note = ct::outsideNote(whole, *volume_)) return Error(*note);
   const auto isApproach = [](const ct::Markup& each) {
     return each.kind == ct::MarkupKind::approach;
@@ -460,16 +465,17 @@ void CtStudy::moveMarkupPoint(const MarkupPoint& which, const Eigen::Vector3d& p
   announceMarkups();
 }
 
-void CtStudy::setMarkupText(std::size_t which, const std::string& text)
+Result<void> CtStudy::setMarkupText(std::size_t which, const std::string& text)
 {
-  if (which >= now_.markups.size() || now_.markups[which].text == text) return;
+  if (which >= now_.markups.size() || now_.markups[which].text == text) return {};
   ct::Markup named = now_.markups[which];
   named.text = text;
-  if (!ct::checkMarkup(named)) return;
+  if (const auto possible = ct::checkMarkup(named); !possible) return possible;
   keepForUndo();
   isChangeOpen_ = false;
   now_.markups[which] = std::move(named);
   announceMarkups();
+  return {};
 }
 
 void CtStudy::removeMarkup(std::size_t which)
@@ -479,6 +485,7 @@ void CtStudy::removeMarkup(std::size_t which)
   isChangeOpen_ = false;
   now_.markups.erase(now_.markups.begin() + static_cast<std::ptrdiff_t>(which));
   chosenMarkup_.reset();
+  Q_EMIT markupsRenumbered();
   announceMarkups();
 }
 
@@ -514,6 +521,7 @@ void CtStudy::restore(std::vector<Placement>& from, std::vector<Placement>& to)
   from.pop_back();
   isChangeOpen_ = false;
   chosenMarkup_.reset();
+  Q_EMIT markupsRenumbered();
   Q_EMIT markupsChanged();
   if (!now_.measures && frame_ == PlaneFrame::cochlea) {
     frame_ = PlaneFrame::patient;

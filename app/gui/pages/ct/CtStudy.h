@@ -184,7 +184,8 @@ public:
   /// Moves a point within the volume; it stays where the markup would be impossible. Calls after one beginChange() are
   /// one step for undo.
   void moveMarkupPoint(const MarkupPoint& which, const Eigen::Vector3d& point_P);
-  void setMarkupText(std::size_t which, const std::string& text);
+  /// Writes a text beside a markup; the error says why it cannot be kept.
+  Result<void> setMarkupText(std::size_t which, const std::string& text);
   void removeMarkup(std::size_t which);
   /// The markup that Del removes; the crosshair stays.
   void chooseMarkup(std::optional<std::size_t> which);
@@ -217,6 +218,8 @@ Q_SIGNALS:
   void modelChanged();
   /// Markups were added, moved, removed, or are others; followed by changed().
   void markupsChanged();
+  /// Markups stand at other places of their list: a point that is dragged is dropped.
+  void markupsRenumbered();
 
 private:
   /// Keeps measures, with the cochlear views on them.

@@ -308,8 +308,11 @@ void paintMarkups(QPainter& painter, const CtStudy& study, std::size_t plane,
     painter.setOpacity(opacity);
     paintPoints(painter, project, each.points_P, colorOf(ink));
     painter.setOpacity(1.0);
-    labels.add(markupText(each, whole.voxelEdges_P), labelled(each, project), opacity, ink,
-               Plate::dark);
+    // a long text would find no free place; the list of markups has all of it
+    constexpr int longestText = 40;
+    QString text = markupText(each, whole.voxelEdges_P);
+    if (text.size() > longestText) text = text.left(longestText - 1) + QStringLiteral("…");
+    labels.add(text, labelled(each, project), opacity, ink, Plate::dark);
   }
 }
 

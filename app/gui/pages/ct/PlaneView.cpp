@@ -65,6 +65,7 @@ PlaneView::PlaneView(CtStudy& study, std::size_t plane, QWidget* parent)
     setAccessibleName(planeName(study_.frame(), index_));
     update();
   });
+  connect(&study, &CtStudy::markupsRenumbered, this, [this] { heldMarkup_.reset(); });
 }
 
 void PlaneView::resizeEvent(QResizeEvent* event)
@@ -133,6 +134,7 @@ void PlaneView::placeToolPoint(const Eigen::Vector3d& point_P)
     return Q_EMIT refused(tr("This place is outside the CT. Click into the picture."));
   if (study_.tool() != ct::MarkupKind::note) return study_.placeToolPoint(point_P);
   askText(tr("Text of the note"), {}, placeOf(point_P), [this, point_P](const QString& text) {
+    if (text.isEmpty()) return;
     const auto added = study_.addMarkups({{ct::MarkupKind::note, {point_P}, text.toStdString()}});
     if (!added) Q_EMIT refused(dataText(added.error().message));
   });
@@ -147,7 +149,7 @@ void PlaneView::askText(const QString& name, const QString& text, const QPointF&
   typed_->setObjectName(QStringLiteral("markupText"));
   typed_->setAccessibleName(name);
   typed_->setPlaceholderText(name);
-  typed_->setMaxLength(int(ct::maxMarkupText / 4));  // of characters of up to four bytes
+  typed_->setMaxLength(int(ct::maxMarkupText));
   const int wide = std::min(sized(width_px), width() - 2 * spacing);
   typed_->resize(wide, typed_->sizeHint().height());
   const QPoint corner = place.toPoint() + QPoint(spacing, spacing);
@@ -177,9 +179,10 @@ void PlaneView::editText(std::size_t markup)
           [this, known](const QString& text) {
             // another one may stand at its place by now
             const auto found = std::ranges::find(study_.markups(), known);
-            if (found != study_.markups().end())
-              study_.setMarkupText(std::size_t(found - study_.markups().begin()),
-                                   text.toStdString());
+            if (found == study_.markups().end()) return;
+            const auto named = study_.setMarkupText(std::size_t(found - study_.markups().begin()),
+                                                    text.toStdString());
+            if (!named) Q_EMIT refused(dataText(named.error().message));
           });
 }
 
@@ -404,7 +407,7 @@ bool PlaneView::eventFilter(QObject* watched, QEvent* event)
   const QString line = typed_->text().simplified();
   const auto then = std::exchange(thenTyped_, {});
   cancelText();
-  if (!line.isEmpty()) then(line);
+  then(line);
   return true;
 }
 

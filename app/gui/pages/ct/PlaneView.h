@@ -46,7 +46,7 @@ public:
   void placeToolPoint(const Eigen::Vector3d& point_P);
   /// Asks for a line of text beside a place of the view, in place of another one that is being typed.
   ///
-  /// @param then  Receives it when it is confirmed, unless it is empty.
+  /// @param then  Receives it when it is confirmed; it may be empty.
   void askText(const QString& name, const QString& text, const QPointF& place,
                std::function<void(const QString&)> then);
   /// Ends the typing of a text without it. False if none is typed.

@@ -50,7 +50,7 @@ figures::Drawing thumbnailOf(const analysis::ForceProfile& profile, double side)
     drawing.marks.emplace_back(std::move(label));
   };
   write(left, 0.19 * side, fixed(1e3 * profile.peak.force, 0) + " mN", figures::Anchor::start);
-  write(right, 0.96 * side, fixed(inMillimeters(meters(profile.finalDepth)), 1) + " mm",
+  write(right, 0.96 * side, fixed(inMillimeters(meters(profile.deepest)), 1) + " mm",
         figures::Anchor::end);
   return drawing;
 }

@@ -8,7 +8,7 @@
 
 namespace perilymph::cli {
 
-/// Force over travel with the peak force and the final insertion depth as numbers; nothing of the patient.
+/// Force over travel with the peak force and the largest insertion depth as numbers; nothing of the patient.
 ///
 /// @param side  Side of the square drawing [1/72 inch].
 figures::Drawing thumbnailOf(const analysis::ForceProfile& profile, double side);

@@ -69,7 +69,7 @@ py::dict columnsOf(const StudyColumns& study)
     std::vector<std::string> texts;
     for (std::size_t row = 0; row < study.size(); ++row)
       texts.push_back(study.fileValueOf(study.result(row), name));
-    columns[textOf(name)] = settingColumn(texts);
+    columns[textOf(name)] = name == "array_name" ? arrayOf(texts) : settingColumn(texts);
   }
   return columns;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A study from Python objects, run in this process."""
 
+import fcntl
 import hashlib
 import json
 import math
@@ -75,9 +76,24 @@ def study(scenario, folder, *, vary=None, ranges=None, cochleae=0, mean=False, p
     if isinstance(patients, (str, Patient, Cochlea)):
         raise TypeError("patients must be a list")
     place = os.fspath(folder)
-    former = _Former(place)
     try:
         os.makedirs(place, exist_ok=True)
+        lock = os.open(place, os.O_RDONLY | os.O_DIRECTORY)
+    except OSError as error:
+        raise Error(f"{error.filename} cannot be written: {error.strerror}. Name a folder that is writable.") from None
+    try:  # before a file of another study that runs there would be written over
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        return _run(place, scenario, head, vary, ranges, cochleae, mean, patients, contacts, profile_spacing_mm, jobs, progress)
+    except BlockingIOError:
+        raise Error(f"{place} is in use by another study. Wait until it ends, or name another folder.") from None
+    finally:
+        os.close(lock)
+
+
+def _run(place, scenario, head, vary, ranges, cochleae, mean, patients, contacts, profile_spacing_mm, jobs, progress):
+    """study() in a folder that no other one uses."""
+    former = _Former(place)
+    try:
         kept = _Kept(former)
         head["scenario"] = kept.scenario(scenario)
         varied = {key: [kept.value(key, each) for each in _list(key, values)] for key, values in dict(vary or {}).items()}

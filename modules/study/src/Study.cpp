@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "LatinHypercube.h"
@@ -86,6 +87,7 @@ private:
   Result<void> readFactors();
   Result<void> readSamples();
   Result<void> checkCombinations();
+  void tellArraysApart();
   void noteFileValues(const session::Overrides& overrides, const session::Scenario& scenario);
   Error error(const std::string& sentence) const { return Error{"%1: %2", file_, sentence}; }
 
@@ -238,6 +240,17 @@ void StudyReader::noteFileValues(const session::Overrides& overrides,
     }
 }
 
+/// Gives arrays of the same name, which would count as one, their setting beside it.
+void StudyReader::tellArraysApart()
+{
+  std::map<std::string, int> counts;
+  for (const StudyFileValue& each : study_.fileValues_)
+    if (each.name == "array_name") ++counts[each.content];
+  for (StudyFileValue& each : study_.fileValues_)
+    if (each.name == "array_name" && counts[each.content] > 1)
+      each.content += " (" + each.value + ")";
+}
+
 /// Reads every combination as a scenario, at both ends of every range.
 Result<void> StudyReader::checkCombinations()
 {
@@ -258,11 +271,15 @@ Result<void> StudyReader::checkCombinations()
       return error("the scenario '" + scenario_ +
                    "' has another anatomy than \"mean\", which mean "
                    "and virtual cochleae have. Name another scenario, or patients.");
-    hash_.add(without(scenario->text(), (fs::absolute(file_).parent_path() / "").string()));
+    // as it stands between the quotation marks of the text
+    const std::string folder = nlohmann::json((fs::absolute(file_).parent_path() / "").string())
+                                   .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    hash_.add(without(scenario->text(), folder.substr(1, folder.size() - 2)));
     noteFileValues(overrides, *scenario);
     for (const fs::path& named : scenario->files()) study_.files_[named];
     study_.scenarios_.push_back(*std::move(scenario));
   }
+  tellArraysApart();
   for (auto& [named, hash] : study_.files_) {
     const auto content = readWhole(named);
     if (!content) return content.error();

@@ -257,11 +257,15 @@ std::vector<std::string> studyViews()
 {
   return {
       // What do the files say that settings name?
-      "CREATE VIEW file_value AS WITH file AS MATERIALIZED (SELECT json_extract(row.value, '$[0]') "
-      "AS key, json_extract(row.value, '$[1]') AS value, json_extract(row.value, '$[2]') AS name, "
-      "json_extract(row.value, '$[3]') AS content FROM meta, json_each(meta.value) AS row "
-      "WHERE meta.key = 'files') SELECT key, value, name, " +
-          asNumber("content") + " AS content FROM file",
+      std::string(
+          "CREATE VIEW file_value AS WITH file AS MATERIALIZED (SELECT json_extract(row.value, "
+          "'$[0]') "
+          "AS key, json_extract(row.value, '$[1]') AS value, json_extract(row.value, '$[2]') AS "
+          "name, "
+          "json_extract(row.value, '$[3]') AS content FROM meta, json_each(meta.value) AS row "
+          "WHERE meta.key = 'files') SELECT key, value, name, ") +
+          "CASE name WHEN 'array_name' THEN content ELSE " + asNumber("content") +
+          " END AS content FROM file",
       // Which values does each insertion have? One row per insertion and key; numbers are numbers.
       settingView() +
           " UNION ALL SELECT insertion.number, file.name, file.content FROM insertion, "

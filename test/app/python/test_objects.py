@@ -261,6 +261,41 @@ def test_a_study_carries_its_files_and_can_be_moved(tmp_path, monkeypatch, cli):
         perilymph.study("elsewhere/scenario.toml", "third", mean=True, vary={"array": ["arrays/mine.toml"]})
 
 
+def test_a_second_study_in_a_folder_that_is_in_use_is_refused_and_changes_nothing(tmp_path):
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    refused = []
+
+    def intrude(done, of):
+        if not refused:
+            with pytest.raises(perilymph.Error, match="in use by another study") as error:
+                perilymph.study(scenario, tmp_path / "s", mean=True, vary={"friction": [perilymph.Friction(0.3)]})
+            refused.append(str(error.value))
+
+    vary = {"friction": [perilymph.Friction(0.1)]}
+    study = perilymph.study(scenario, tmp_path / "s", cochleae=4, vary=vary, progress=intrude)
+    assert refused and len(study) == 4 and set(study.columns()["friction_static"]) == {0.1}
+    assert [each.name for each in (tmp_path / "s/frictions").iterdir()] == ["friction-0.1.toml"]
+
+
+@pytest.mark.parametrize("name", ['with "quotes"', "with \\ and ü"])
+def test_a_study_is_the_same_in_a_folder_of_any_name(tmp_path, cli, name):
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    study = perilymph.study(scenario, tmp_path / name, mean=True, vary={"friction": [perilymph.Friction(0.1)]})
+    shutil.move(tmp_path / name, tmp_path / "plain")
+    cli("study", "run", tmp_path / "plain/study.toml", "--out", tmp_path / "plain")
+    assert perilymph.read_study(tmp_path / "plain") == study
+
+
+def test_arrays_of_one_name_are_told_apart_and_names_stay_texts(tmp_path):
+    scenario = perilymph.read_scenario("surgery-flex28", {"nodes": 30, "dt_ms": 10})
+    flex24 = perilymph.read_array("flex24")
+    alike = [flex24.replace(name="7", width_mm=width) for width in (0.5, 0.6)]
+    names = perilymph.study(scenario, tmp_path / "s", mean=True, vary={"array": [*alike, flex24.replace(name="007")]}).columns()["array_name"]
+    assert len(set(names)) == 3 and names[2] == "007" and all(name.startswith("7 (arrays/7") for name in names[:2])
+    database = sqlite3.connect(tmp_path / "s/study.sqlite")
+    assert {name for name, in database.execute("SELECT DISTINCT value FROM setting WHERE key = 'array_name'")} == set(names)
+
+
 def test_files_of_one_name_are_kept_apart(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for place, friction in (("a", 0.1), ("b", 0.2)):

@@ -21,6 +21,7 @@ namespace {
 /// The markups of the series that a call names by its hash or the beginning of it; of the only one without.
 Result<ct::CtMarkups> chosenMarkups(const CtMarkupsOptions& options)
 {
+  if (const auto there = readWhole(options.patient); !there) return there.error();
   const auto record = session::loadPatientRecord(options.patient);
   if (!record) return record.error();
   if (record->markups.empty())

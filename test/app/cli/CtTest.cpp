@@ -64,6 +64,12 @@ TEST(CtInfo, ListsTheSeriesOfAFolder)
   expectNoPatient(done.out + contentOf(out / "info.json"));
 }
 
+TEST(CtMarkups, OfAPatientWhoIsNotThereAreRefusedAsThat)
+{
+  const TemporaryFolder folder;
+  expectRefusal(cli({"ct", "markups", folder / "none.toml"}), "there is no such file");
+}
+
 TEST(CtMeasure, MeetsTheTruthOfAPhantomWithinItsErrors)
 {
   TemporaryFolder out;

@@ -26,8 +26,6 @@ constexpr std::string_view pointLabel = "note";
 
 bool isStructure(MarkupKind kind) { return ct::pointCountOf(kind).most == ct::maxMarkupPoints; }
 
-const char* unitOf(MarkupKind kind) { return kind == MarkupKind::angle ? "deg" : "mm"; }
-
 std::string decimal(double value)
 {
   std::array<char, 64> digits{};

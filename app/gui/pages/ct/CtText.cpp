@@ -16,6 +16,13 @@ namespace {
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
+/// A length with its 95 % interval.
+QString intervalText(double value_mm, double sd_mm, int decimals)
+{
+  return tr("%1 ± %2 mm")
+      .arg(numberText(value_mm, decimals), numberText(halfWidth95 * sd_mm, decimals));
+}
+
 }  // namespace
 
 QString planeName(PlaneFrame frame, std::size_t plane)
@@ -73,8 +80,7 @@ QString structureGuide(ct::MarkupKind structure)
 
 QString distanceText(const ct::DistanceToLine& distance)
 {
-  return tr("%1 ± %2 mm")
-      .arg(numberText(distance.distance_mm, 1), numberText(halfWidth95 * distance.sd_mm, 1));
+  return intervalText(distance.distance_mm, distance.sd_mm, 1);
 }
 
 QString markGuide(ct::Mark mark)
@@ -103,8 +109,7 @@ QString markGuide(ct::Mark mark)
 
 QString measureText(const ct::Measure& measure, int decimals)
 {
-  return tr("%1 ± %2 mm")
-      .arg(numberText(measure.value, decimals), numberText(halfWidth95 * measure.sd(), decimals));
+  return intervalText(measure.value, measure.sd(), decimals);
 }
 
 QString errorText(const ct::Measure& measure)
@@ -141,11 +146,10 @@ QString markupText(const ct::Markup& markup, const Eigen::Matrix3d& voxelEdges_P
   const QString text = QString::fromStdString(markup.text);
   const auto value = ct::valueOf(markup, voxelEdges_P);
   if (!value) return text.isEmpty() ? markupName(markup.kind) : text;
-  const bool isAngle = markup.kind == ct::MarkupKind::angle;
-  const int decimals = isAngle ? 1 : 2;
   const QString number =
-      (isAngle ? tr("%1 ± %2°") : tr("%1 ± %2 mm"))
-          .arg(numberText(value->value, decimals), numberText(halfWidth95 * value->sd, decimals));
+      markup.kind == ct::MarkupKind::angle
+          ? tr("%1 ± %2°").arg(numberText(value->value, 1), numberText(halfWidth95 * value->sd, 1))
+          : intervalText(value->value, value->sd, 2);
   return text.isEmpty() ? number : tr("%1: %2").arg(text, number);
 }
 

@@ -92,11 +92,6 @@ PatientVersion versionIn(const Json& json)
   return version;
 }
 
-constexpr const char* unitOf(ct::MarkupKind kind)
-{
-  return kind == ct::MarkupKind::angle ? "deg" : "mm";
-}
-
 Json placeJson(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
 
 Eigen::Vector3d placeIn(const Json& json)

@@ -74,6 +74,9 @@ struct PointCount {
 };
 PointCount pointCountOf(MarkupKind kind);
 
+/// Unit of the value of a kind in files: "deg" of an angle, else "mm".
+constexpr const char* unitOf(MarkupKind kind) { return kind == MarkupKind::angle ? "deg" : "mm"; }
+
 /// Refuses a markup with another number of points than its kind has, a point that is not finite or beyond
 /// 10 m, two points of a distance or of a side of an angle at one place, a note without text, and a text with
 /// control characters, invalid UTF-8 or more than maxMarkupText bytes. The message has no text of it.

@@ -29,6 +29,7 @@ struct KeptMeasures {
 struct BuiltCochlea {
   anatomy::Cochlea cochlea;
   std::shared_ptr<const anatomy::ScalaTympani> scala;
+  bool isOfScenario = false;  ///< Its lead-in is a scenario's, which an insertion into it has too.
   std::shared_ptr<KeptMeasures> kept = std::make_shared<KeptMeasures>();
 };
 

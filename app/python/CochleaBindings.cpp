@@ -25,7 +25,10 @@ BuiltCochlea built(const anatomy::Cochlea& cochlea)
 {
   auto scala =
       valueOf(withoutLock([&] { return anatomy::buildAnatomy(cochlea, cochlea.patient.label); }));
-  return {cochlea, std::move(scala)};
+  BuiltCochlea one;
+  one.cochlea = cochlea;
+  one.scala = std::move(scala);
+  return one;
 }
 
 BuiltCochlea fromPatient(const anatomy::Patient& patient)
@@ -53,7 +56,9 @@ BuiltCochlea fromName(const std::string& name)
 
 BuiltCochlea fromScenario(const session::Scenario& scenario)
 {
-  return built(scenario.parameters().cochlea);
+  BuiltCochlea one = built(scenario.parameters().cochlea);
+  one.isOfScenario = true;
+  return one;
 }
 
 NumberArray anglesOf(const py::object& given, const ScalaTympani& scala)
@@ -327,7 +332,8 @@ void defineCochlea(py::module_& module)
           "Angle at which measured sections end and extrapolation begins [deg].")
       .def_property_readonly(
           "lead_in_mm", [](const BuiltCochlea& one) { return inMillimeters(one.scala->leadIn()); },
-          "Straight length before the round window [mm].")
+          "Straight length before the round window [mm]. An insertion has that of its scenario in "
+          "place of it, unless the cochlea is one of_scenario().")
       .def("axis", &axis, py::arg("angle_deg"),
            "Centers of the sections at angles of shape (...): points (..., 3) [mm].")
       .def("wall", &wall, py::arg("angle_deg"), py::arg("around_deg"), py::kw_only(),
@@ -365,7 +371,7 @@ void defineCochlea(py::module_& module)
       .def(py::pickle(
           [](const BuiltCochlea& one) {
             return py::make_tuple(one.cochlea.patient, std::string(nameOf(one.cochlea.source)),
-                                  one.cochlea.leadIn.si());
+                                  one.cochlea.leadIn.si(), one.isOfScenario);
           },
           [](const py::tuple& state) {
             anatomy::Cochlea cochlea;
@@ -375,7 +381,10 @@ void defineCochlea(py::module_& module)
               throw EngineError("The pickled cochlea is of another version. Make it again.");
             cochlea.source = *source;
             cochlea.leadIn = Length::fromSi(state[2].cast<double>());
-            return built(cochlea);
+            BuiltCochlea one = built(cochlea);
+            // one of a version that did not say so brought its lead-in along
+            one.isOfScenario = state.size() < 4 || state[3].cast<bool>();
+            return one;
           }))
       .def("__repr__",
            [](const BuiltCochlea& one) {
@@ -398,9 +407,9 @@ void defineCochlea(py::module_& module)
           },
           "A table of its measures for notebooks.");
   defineIdentity(kind, [](const BuiltCochlea& one) {
-    return std::string(
-        py::repr(py::make_tuple(py::cast(one.cochlea.patient).attr("__getstate__")(),
-                                std::string(nameOf(one.cochlea.source)), one.cochlea.leadIn.si())));
+    return std::string(py::repr(py::make_tuple(py::cast(one.cochlea.patient).attr("__getstate__")(),
+                                               std::string(nameOf(one.cochlea.source)),
+                                               one.cochlea.leadIn.si(), one.isOfScenario)));
   });
 }
 

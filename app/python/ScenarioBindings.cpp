@@ -63,7 +63,7 @@ private:
       addPatient(value.cast<const anatomy::Patient&>());
     } else if (py::isinstance<BuiltCochlea>(value)) {
       require(key, "cochlea", "a Cochlea");
-      addCochlea(value.cast<const BuiltCochlea&>().cochlea);
+      addCochlea(value.cast<const BuiltCochlea&>());
     } else if (py::isinstance<NamedArray>(value)) {
       require(key, "array", "an Array");
       overrides_.emplace_back(key, arrayNameOf(value, "array"));
@@ -123,12 +123,15 @@ private:
         patientLabel_ += each;
   }
 
-  void addCochlea(const anatomy::Cochlea& cochlea)
+  void addCochlea(const BuiltCochlea& given)
   {
+    const anatomy::Cochlea& cochlea = given.cochlea;
     cochlea_ = cochlea;
     if (isScaledBy(cochlea.source, cochlea.patient)) addPatient(cochlea.patient);
     overrides_.emplace_back("anatomy", nameOf(cochlea.source));
-    overrides_.emplace_back("lead_in_mm", session::shortestDecimal(inMillimeters(cochlea.leadIn)));
+    if (given.isOfScenario)
+      overrides_.emplace_back("lead_in_mm",
+                              session::shortestDecimal(inMillimeters(cochlea.leadIn)));
   }
 
   static Result<std::filesystem::path> temporaryFolder()

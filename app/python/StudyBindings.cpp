@@ -43,21 +43,27 @@ py::array settingColumn(const std::vector<std::string>& texts)
 py::dict columnsOf(const StudyColumns& study)
 {
   py::dict columns;
-  std::vector<std::int64_t> numbers;
-  std::vector<std::string> cochleae, endings;
+  std::vector<std::int64_t> numbers, ticks, notConverged;
+  std::vector<std::string> cochleae, endings, reasons;
   std::set<std::string> keys;
   for (std::size_t row = 0; row < study.size(); ++row) {
     const study::StudyResult& result = study.result(row);
     numbers.push_back(static_cast<std::int64_t>(result.number));
     cochleae.push_back(result.cochlea);
     endings.emplace_back(haptics::nameOf(result.insertion.end));
+    reasons.push_back(result.insertion.reason);
+    ticks.push_back(static_cast<std::int64_t>(result.insertion.ticks));
+    notConverged.push_back(static_cast<std::int64_t>(result.insertion.ticksNotConverged));
     for (const auto& [key, value] : result.settings) keys.insert(key);
   }
   columns["number"] = arrayOf(std::move(numbers));
   columns["cochlea"] = arrayOf(cochleae);
   columns["ending"] = arrayOf(endings);
+  columns["reason"] = arrayOf(reasons);
   for (const study::StudyQuantity& each : study.quantities())
     columns[textOf(each.key)] = arrayOf(each.values);
+  columns["ticks"] = arrayOf(std::move(ticks));
+  columns["ticks_not_converged"] = arrayOf(std::move(notConverged));
   for (const std::string& key : keys) {
     if (study.quantity(key) != nullptr) continue;
     std::vector<std::string> texts;
@@ -200,9 +206,11 @@ void defineStudy(py::module_& module)
           "columns", [](const Study& one) { return copied(one.columns); },
           "A row per insertion, shape (n,): 'number', 'cochlea' ('patients/1.toml' is the first "
           "one "
-          "that was given), 'ending', 'A_mm', 'B_mm', 'cdl_oc_mm', 'st_length_mm', 'angle_deg', "
+          "that was given), 'ending', 'reason' (why it is 'fault' or 'refused'), 'A_mm', 'B_mm', "
+          "'cdl_oc_mm', 'st_length_mm', 'angle_deg', "
           "'coverage_percent', 'depth_mm', 'max_depth_mm', 'peak_mN', 'peak_depth_mm', 'end_mN', "
-          "'partition_mN', every setting of the study by its key; of the files that settings name "
+          "'partition_mN', 'ticks' and 'ticks_not_converged' (time steps, and those without "
+          "equilibrium), every setting of the study by its key; of the files that settings name "
           "'array_name', 'friction_static' and 'friction_dynamic', as they were when it ran.")
       .def(
           "to_pandas", [](const Study& one) { return dataFrameOf(one.columns); },

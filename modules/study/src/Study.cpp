@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 
 #include "LatinHypercube.h"
@@ -136,6 +138,8 @@ Result<void> StudyReader::readCochleae()
   std::vector<std::string> unsealed;
   for (const std::string& name : table.values("patients")) {
     const fs::path place = file_.parent_path() / name;
+    if (std::ranges::count(table.values("patients"), name) > 1)
+      return error("[cochleae] patients: " + name + " stands twice. Remove one.");
     const auto content = readWhole(place);
     if (!content) return error("[cochleae] patients: " + content.error().message);
     const auto patient = anatomy::loadPatient(place);
@@ -183,14 +187,22 @@ Result<void> StudyReader::readFactors()
     cross(study_.combinations_, key, vary.values(key));
   }
   // Cases written out: each is combined with the lists above.
-  if (cases.empty()) return {};
   std::vector<session::Overrides> combined;
   for (const session::Overrides& before : study_.combinations_)
     for (TomlReader& one : cases) {
       combined.push_back(before);
       for (const std::string& key : one.keys()) combined.back().emplace_back(key, one.value(key));
     }
-  study_.combinations_ = std::move(combined);
+  if (!cases.empty()) study_.combinations_ = std::move(combined);
+  // Twice the same settings would count twice in every mean.
+  std::set<std::map<std::string, std::string>> known;
+  for (const session::Overrides& overrides : study_.combinations_) {
+    std::map<std::string, std::string> settings;
+    for (const auto& [key, value] : overrides) settings[key] = value;
+    if (!known.insert(settings).second)
+      return error("the settings " + textOf(overrides) +
+                   " stand twice. Remove the second from [vary] or [[case]].");
+  }
   return {};
 }
 
@@ -254,6 +266,7 @@ void StudyReader::tellArraysApart()
 /// Reads every combination as a scenario, at both ends of every range.
 Result<void> StudyReader::checkCombinations()
 {
+  bool isOfPatient = false;
   for (const session::Overrides& overrides : study_.combinations_) {
     // shipped scenarios by name, others beside the study
     const fs::path beside = file_.parent_path() / scenario_;
@@ -275,10 +288,15 @@ Result<void> StudyReader::checkCombinations()
     const std::string folder = nlohmann::json((fs::absolute(file_).parent_path() / "").string())
                                    .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     hash_.add(without(scenario->text(), folder.substr(1, folder.size() - 2)));
+    if (isScaledBy(scenario->anatomy(), scenario->patient())) isOfPatient = true;
     noteFileValues(overrides, *scenario);
     for (const fs::path& named : scenario->files()) study_.files_[named];
     study_.scenarios_.push_back(*std::move(scenario));
   }
+  if (isOfPatient)
+    study_.notes_.insert(study_.notes_.begin(),
+                         "The scenario is of a patient, in whose cochlea nothing is inserted: the "
+                         "study runs in the cochleae that it lists.");
   tellArraysApart();
   for (auto& [named, hash] : study_.files_) {
     const auto content = readWhole(named);

@@ -117,6 +117,11 @@ def test_a_patient_and_a_cochlea_are_those_of_the_insertion():
     cochlea = perilymph.Cochlea(patient)
     other = perilymph.read_scenario("surgery-flex28", {**COARSE, "cochlea": cochlea})
     assert perilymph.Cochlea.of_scenario(other).measures() == perilymph.Cochlea.of_scenario(scenario).measures()
+    # The straight stretch before the spiral is the scenario's, unless the cochlea is that of another scenario.
+    assert other["lead_in_mm"] == scenario["lead_in_mm"] == 0.0
+    longer = perilymph.Cochlea.of_scenario(scenario.with_values({"lead_in_mm": 0.5}))
+    for brought in (longer, pickle.loads(pickle.dumps(longer))):
+        assert perilymph.read_scenario("surgery-flex28", {"cochlea": brought})["lead_in_mm"] == 0.5
     deeper = scenario.with_values({"stop_travel_mm": 4})  # needs no file of the patient
     assert deeper.patient.a_mm == 9.3
     with pytest.raises(perilymph.Error, match="patient"):

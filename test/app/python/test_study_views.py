@@ -248,10 +248,10 @@ def test_a_view_is_what_pandas_makes_of_the_insertions(folder, view):
     pandas.testing.assert_frame_equal(found[list(expected)], expected, check_dtype=False, check_names=False, rtol=1e-9)
 
 
-def test_the_queries_of_the_guide_give_what_pandas_gives(database, rows):
+def test_the_queries_of_the_guide_give_what_pandas_gives(folder, database, rows):
     pandas = pytest.importorskip("pandas")
     page = (ROOT / "resources/guide/studies.md").read_text()
-    by_array, by_two = re.findall(r'sqlite3 results/study.sqlite "([^"]*)"', page)
+    by_array, by_two, lengths = re.findall(r'sqlite3 results/study.sqlite "([^"]*)"', page)
     found = dict(query(database, by_array))
     for array in ("flex24", "medel-standard"):
         assert found[array] == pytest.approx(100 * (rows["ending"][rows["array"] == array] == "finished").mean())
@@ -260,12 +260,14 @@ def test_the_queries_of_the_guide_give_what_pandas_gives(database, rows):
     found = {row[:2]: row[2] for row in query(database, by_two)}
     assert set(found) == set(medians.index) and len(found) == 4
     assert all(found[key] == pytest.approx(value) for key, value in medians.items())
+    columns = perilymph.read_study(folder).to_pandas()
+    assert dict(query(database, lengths)) == pytest.approx(dict(zip(columns.number, columns.cdl_oc_mm)))
 
 
 def test_the_columns_of_python_are_those_of_the_rows(folder, rows):
     columns = perilymph.read_study(folder).columns()
     assert columns["stop_force_N"].dtype == columns["speed_mm_s"].dtype == float
-    for name in ("number", "array", "ending", "stop_force_N", "speed_mm_s", "A_mm", "cochlea"):
+    for name in ("number", "array", "ending", "reason", "ticks", "stop_force_N", "speed_mm_s", "A_mm", "cochlea"):
         assert list(columns[name]) == list(rows[name]), name
     assert columns["peak_mN"] == pytest.approx(rows["peak_mN"])
 

@@ -227,6 +227,41 @@ TEST(Study, RefusesWhatItCannotRunInOneSentence)
   EXPECT_THAT(refusal(text + "[cochleae2]\n"), HasSubstr("cochleae2"));
 }
 
+TEST(Study, CountsNoInsertionTwice)
+{
+  const std::string text(small);
+  for (const std::string twice :
+       {"speed_mm_s = [1.0, 0.5, 1.0]\n",
+        "[[case]]\nspeed_mm_s = 1.0\n[[case]]\nspeed_mm_s = 1.0\n",
+        "[[case]]\nspeed_mm_s = 1.0\nnodes = 40\n[[case]]\nnodes = 40\nspeed_mm_s = 1.0\n"})
+    EXPECT_THAT(refusal(text + twice),
+                testing::AllOf(HasSubstr("speed_mm_s=1"), HasSubstr("stand twice")))
+        << twice;
+  EXPECT_TRUE(read(text + "[[case]]\nspeed_mm_s = 1.0\n[[case]]\nnodes = 40\n"));
+  EXPECT_THAT(refusal("title = \"x\"\nscenario = \"mean-flex28\"\n[cochleae]\npatients = "
+                      "[\"one.toml\", \"two.toml\", \"one.toml\"]\n"),
+              HasSubstr("one.toml stands twice"));
+}
+
+TEST(Study, SaysThatTheCochleaOfItsScenarioIsNotUsed)
+{
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeWhole(folder / "own.toml", "a_mm = 9.2\nb_mm = 6.8\n"));
+  const auto scenario = session::loadScenario("mean-flex28", {{"patient", folder / "own.toml"}});
+  ASSERT_TRUE(scenario) << scenario.error().message;
+  ASSERT_TRUE(writeWhole(folder / "of-patient.toml", scenario->text()));
+  const auto notesOf = [&folder](const std::string& name) {
+    const auto study =
+        parseStudy("title = \"x\"\nscenario = \"" + name + "\"\n[cochleae]\nmean = true\n",
+                   folder / "study.toml");
+    EXPECT_TRUE(study) << study.error().message;
+    return study->notes();
+  };
+  EXPECT_THAT(notesOf("mean-flex28"), testing::IsEmpty());
+  EXPECT_THAT(notesOf("of-patient.toml"),
+              testing::ElementsAre(HasSubstr("The scenario is of a patient")));
+}
+
 TEST(Study, HasAnotherFingerprintIfALineMovesToTheNextPatient)
 {
   const test::TemporaryFolder folder;

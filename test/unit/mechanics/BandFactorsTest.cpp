@@ -35,11 +35,12 @@ struct Pair {
   void setBlock(std::size_t row, std::size_t column, const Eigen::Matrix3d& b)
   {
     if (row == column) {
-      band.diagonal[row] = {b(0, 0), b(0, 1), b(0, 2), b(1, 1), b(1, 2), b(2, 2)};
+      band.diagonal.set(row, {b(0, 0), b(0, 1), b(0, 2), b(1, 1), b(1, 2), b(2, 2)});
       return;
     }
-    Block<double>& block = row == column + 1 ? band.beside[row] : band.beyond[row];
-    block = {b(0, 0), b(0, 1), b(0, 2), b(1, 0), b(1, 1), b(1, 2), b(2, 0), b(2, 1), b(2, 2)};
+    Blocks& blocks = row == column + 1 ? band.beside : band.beyond;
+    blocks.set(row,
+               {b(0, 0), b(0, 1), b(0, 2), b(1, 0), b(1, 1), b(1, 2), b(2, 0), b(2, 1), b(2, 2)});
   }
   /// Solution of the band system for the right-hand side, as one column.
   Eigen::VectorXd solution(const Eigen::VectorXd& forRight)
@@ -79,7 +80,7 @@ TEST(BandFactors, SolvesAgainWithTheSameFactors)
   ASSERT_TRUE(pair.factors.factorize(pair.band));
   pair.solution(pair.right);
   // the factors are separate from the matrix
-  pair.band.clear();
+  pair.band = BandMatrix(12);
   const Eigen::VectorXd other = pair.right.reverse();
   const Eigen::VectorXd expected = pair.dense.ldlt().solve(other);
   EXPECT_LT((pair.solution(other) - expected).cwiseAbs().maxCoeff(), 1e-13);
@@ -108,7 +109,7 @@ TEST(BandFactors, SaysWhenItIsNotPositiveDefinite)
   for (const std::size_t blocks : lengths)
     for (std::size_t bad = 0; bad < blocks; ++bad) {
       Pair pair(blocks);
-      pair.band.diagonal[bad] -= {60.0, 0.0, 0.0, 60.0, 0.0, 60.0};
+      pair.band.diagonal.add(bad, {-60.0, 0.0, 0.0, -60.0, 0.0, -60.0});
       EXPECT_FALSE(pair.factors.factorize(pair.band)) << bad << " of " << blocks;
     }
 }

@@ -290,7 +290,7 @@ void addWallStiffness(const ContactSet& contacts, const FrictionHistory& history
 {
   for (std::size_t k = 0; k < contacts.touches; ++k) {
     const TouchingNode& touching = contacts.touching[k];
-    matrix.diagonal[blockOf(touching.node)] += stiffnessOf(touching, contacts, history);
+    matrix.diagonal.add(blockOf(touching.node), stiffnessOf(touching, contacts, history));
   }
 }
 

@@ -90,9 +90,9 @@ void addGuideStiffness(const InsertionModel& model, const GuideLine& guide,
   for (std::size_t i = 2; i < guide.stiffness.size(); ++i) {
     const double k = guide.stiffness[i];
     if (k == 0.0) continue;
-    matrix.diagonal[blockOf(i)] +=
-        SymmetricBlock<double>{k * (1.0 - a[0] * a[0]), -k * a[0] * a[1], -k * a[0] * a[2],
-                               k * (1.0 - a[1] * a[1]), -k * a[1] * a[2], k * (1.0 - a[2] * a[2])};
+    matrix.diagonal.add(blockOf(i),
+                        {k * (1.0 - a[0] * a[0]), -k * a[0] * a[1], -k * a[0] * a[2],
+                         k * (1.0 - a[1] * a[1]), -k * a[1] * a[2], k * (1.0 - a[2] * a[2])});
   }
 }
 

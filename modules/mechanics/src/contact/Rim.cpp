@@ -272,12 +272,12 @@ void addStiffness(const RimStiffness& rim, BandMatrix& matrix) noexcept
                                both.yz, both.xz, both.yz, both.zz};
       const std::size_t row = blockOf(rim.first + i), column = blockOf(rim.first + j);
       if (row == column) {
-        matrix.diagonal[row] += both;
-        if (i != j) matrix.diagonal[row] += both;  // both nodes belong to the base
+        matrix.diagonal.add(row, both);
+        if (i != j) matrix.diagonal.add(row, both);  // both nodes belong to the base
       } else if (row == column + 1) {
-        matrix.beside[row] += full;
+        matrix.beside.add(row, full);
       } else {
-        matrix.beyond[row] += full;
+        matrix.beyond.add(row, full);
       }
     }
 }

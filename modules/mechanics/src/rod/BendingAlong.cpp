@@ -23,17 +23,16 @@ void addRankOne(BandMatrix& matrix, std::size_t i, const std::array<Vector3d, 3>
                                 l[1] * r[2], l[2] * r[0], l[2] * r[1], l[2] * r[2]};
       const std::size_t row = blockOf(i - 1 + a), column = blockOf(i - 1 + b);
       if (row == column) {
-        matrix.diagonal[row] += {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
-                                 block.yy, 0.5 * (block.yz + block.zy), block.zz};
+        const SymmetricBlock<double> symmetric{
+            block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
+            block.yy, 0.5 * (block.yz + block.zy), block.zz};
+        matrix.diagonal.add(row, symmetric);
         // both nodes belong to the base: their coupling counts twice
-        if (a != b)
-          matrix.diagonal[row] +=
-              {block.xx, 0.5 * (block.xy + block.yx), 0.5 * (block.xz + block.zx),
-               block.yy, 0.5 * (block.yz + block.zy), block.zz};
+        if (a != b) matrix.diagonal.add(row, symmetric);
       } else if (row == column + 1) {
-        matrix.beside[row] += block;
+        matrix.beside.add(row, block);
       } else {
-        matrix.beyond[row] += block;
+        matrix.beyond.add(row, block);
       }
     }
 }

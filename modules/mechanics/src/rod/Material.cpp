@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "perilymph/foundation/Math.h"
-#include "rod/BendingAlong.h"
 #include "rod/Relaxation.h"
 #include "rod/Rod.h"
 
@@ -185,21 +184,6 @@ PERILYMPH_IN_LANES TurnEnergy<T> energyByTurn(const InsertionModel& model,
   return energy;
 }
 
-/// Adds k b b^T for a twist with gradient b by the motion of the node after i relative to the node
-/// before it.
-void addTwist(BandMatrix& matrix, std::size_t i, const Vector3d& b, double k) noexcept
-{
-  const Vector3d l = k * b;
-  const SymmetricBlock<double> block{l[0] * b[0], l[0] * b[1], l[0] * b[2],
-                                     l[1] * b[1], l[1] * b[2], l[2] * b[2]};
-  const std::size_t row = blockOf(i + 1), column = blockOf(i - 1);
-  matrix.diagonal[row] += block;
-  matrix.diagonal[column] += block;
-  std::vector<Block<double>>& between = row == column + 1 ? matrix.beside : matrix.beyond;
-  between[row] -=
-      {block.xx, block.xy, block.xz, block.xy, block.yy, block.yz, block.xz, block.yz, block.zz};
-}
-
 /// Transports each edge's direction of curl with the edge, and computes the perpendicular.
 void followEdges(const Vector3d& handCurl_W, InsertionState& state, RodKinematics& rod) noexcept
 {
@@ -339,18 +323,6 @@ void turnMaterial(const InsertionModel& model, const Vector3d& curl_W,
   rod.twistTorque = model.twisting[1] * inverseSpacing * rod.twist[1] -
                     energyByTurn(model, section, first, 1).last;
   if (model.isOval) rod.twistTorque += state.wallTorque[1].torque;
-}
-
-void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& section,
-                          const RodKinematics& rod, BandMatrix& matrix) noexcept
-{
-  const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / model.timeStep;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    addTwist(matrix, i, rod.twistRate_W[i], section.twisting[i]);
-    if (!(model.bendingExcess[i] > 0.0)) continue;
-    addBendingAlong(matrix, rod, i, rod.stiffer_W[i], section.bendingExcess[i] * (1.0 + damping));
-  }
 }
 
 }  // namespace perilymph::mechanics

@@ -7,7 +7,6 @@
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "rod/RodKinematics.h"
-#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -28,9 +27,5 @@ namespace perilymph::mechanics {
 void turnMaterial(const InsertionModel& model, const Eigen::Vector3d& curl_W,
                   const SectionStiffness& section, InsertionState& state, RodKinematics& rod,
                   TwistSystem& turns) noexcept;
-
-/// Adds the stiffness of twist and oval sections to the matrix.
-void addMaterialStiffness(const InsertionModel& model, const SectionStiffness& section,
-                          const RodKinematics& rod, BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -48,98 +48,7 @@ double bendingOf(double carrier, double stylet, double covered) noexcept
   return carrier * both / (both - covered * stylet);
 }
 
-/// scale (1 - t t^T): the projection perpendicular to t, scaled.
-SymmetricBlock<double> across(const Triple<double>& t, double scale) noexcept
-{
-  const double x = scale * t.x, y = scale * t.y, z = scale * t.z;
-  return {scale - x * t.x, -x * t.y, -x * t.z, scale - y * t.y, -y * t.z, scale - z * t.z};
-}
-
-/// scale (1 - t t^T) (1 - p p^T)
-Block<double> acrossBoth(const Joint<double>& joint, double scale) noexcept
-{
-  const Triple<double>& t = joint.next;
-  const Triple<double>& p = joint.last;
-  const Triple<double> u = scale * (joint.cosine * p - t);
-  const Triple<double> v = scale * p;
-  return {
-      scale + t.x * u.x - v.x * p.x, t.x * u.y - v.x * p.y,         t.x * u.z - v.x * p.z,
-      t.y * u.x - v.y * p.x,         scale + t.y * u.y - v.y * p.y, t.y * u.z - v.y * p.z,
-      t.z * u.x - v.z * p.x,         t.z * u.y - v.z * p.y,         scale + t.z * u.z - v.z * p.z};
-}
-
-/// Derivative of an edge's force by the position of one of its ends: along it from the material,
-/// across it from the tension.
-SymmetricBlock<double> stiffnessOf(const Triple<double>& tangent_W, double along,
-                                   double sideways) noexcept
-{
-  SymmetricBlock<double> block = across(tangent_W, sideways - along);
-  block.xx += along, block.yy += along, block.zz += along;
-  return block;
-}
-
-Block<double> asBlock(const SymmetricBlock<double>& s) noexcept
-{
-  return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
-}
-
-/// a + a^T
-SymmetricBlock<double> withMirror(const Block<double>& a) noexcept
-{
-  return {2.0 * a.xx, a.xy + a.yx, a.xz + a.zx, 2.0 * a.yy, a.yz + a.zy, 2.0 * a.zz};
-}
-
-/// Adds the stretching stiffness of the edge between the nodes i and i + 1.
-void addStretching(std::size_t i, double damping, Compression compression,
-                   const SectionStiffness& section, const RodKinematics& rod,
-                   BandMatrix& matrix) noexcept
-{
-  const double tension =
-      compression == Compression::included ? rod.tension[i] : std::max(rod.tension[i], 0.0);
-  const double along = section.stretching[i] * (1.0 + damping);
-  const SymmetricBlock<double> block =
-      stiffnessOf(load<double>(rod.tangent_W, i), along, tension * rod.inverseLength[i]);
-  const std::size_t a = blockOf(i);
-  matrix.diagonal[a] += block;
-  matrix.diagonal[a + 1] += block;
-  matrix.beside[a + 1] -= asBlock(block);
-}
-
 }  // namespace
-
-void addBending(std::size_t i, double stiffness, const RodKinematics& rod,
-                BandMatrix& matrix) noexcept
-{
-  const Joint<double> joint(rod, i);
-  const double a = 2.0 * joint.c * rod.inverseLength[i];
-  const double b = 2.0 * joint.c * rod.inverseLength[i - 1];
-  const SymmetricBlock<double> nextNext = across(joint.next, stiffness * a * a);
-  const SymmetricBlock<double> lastLast = across(joint.last, stiffness * b * b);
-  const Block<double> nextLast = acrossBoth(joint, stiffness * a * b);
-
-  // the node itself moves relative to both far ends
-  SymmetricBlock<double> hereHere = withMirror(nextLast);
-  hereHere += nextNext;
-  hereHere += lastLast;
-  Block<double> nextHere = asBlock(nextNext);
-  nextHere += nextLast;
-  Block<double> hereLast = asBlock(lastLast);
-  hereLast += nextLast;
-
-  const std::size_t next = blockOf(i + 1), here = blockOf(i), last = blockOf(i - 1);
-  matrix.diagonal[next] += nextNext;
-  matrix.diagonal[here] += hereHere;
-  matrix.diagonal[last] += lastLast;
-  matrix.beside[next] -= nextHere;
-  if (here == last) {
-    // both belong to the base: their interaction is internal
-    matrix.diagonal[here] -= withMirror(hereLast);
-    matrix.beside[next] += nextLast;
-  } else {
-    matrix.beside[here] -= hereLast;
-    matrix.beyond[next] += nextLast;
-  }
-}
 
 void setStiffness(const InsertionModel& model, double styletWithdrawal, double released,
                   SectionStiffness& section) noexcept
@@ -288,20 +197,6 @@ void setRodForces(const InsertionModel& model, const std::vector<Vector3d>& posi
   });
   force_W.front() = -rod.onLast_W[1];
   force_W.back() = -rod.onNext_W[n - 2];
-}
-
-void addRodStiffness(const InsertionModel& model, Compression compression,
-                     const SectionStiffness& section, const RodKinematics& rod,
-                     BandMatrix& matrix) noexcept
-{
-  const auto n = static_cast<std::size_t>(model.nodes);
-  const double damping = dampingTime / model.timeStep;
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    addStretching(i, damping, compression, section, rod, matrix);
-    double bending = section.bending[i] * (1.0 + damping);
-    if (section.branches > 0) bending -= softenYielding(section, rod, i, matrix);
-    addBending(i, bending, rod, matrix);
-  }
 }
 
 }  // namespace perilymph::mechanics

@@ -9,7 +9,6 @@
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "rod/RodKinematics.h"
-#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -19,10 +18,6 @@ inline constexpr double dampingTime = 2e-3;  // [s]
 
 /// Block index of a node: nodes 0 and 1 belong to the base.
 inline std::size_t blockOf(std::size_t node) noexcept { return node == 0 ? 0 : node - 1; }
-
-/// Whether the geometric stiffness under compression enters the matrix: exact with it, always
-/// positive definite without it.
-enum class Compression { included, leftOut };
 
 /// Sets EI and rest bend of each node for a position of the stylet.
 ///
@@ -46,16 +41,5 @@ void setEdges(const std::vector<Eigen::Vector3d>& position_W, RodKinematics& rod
 void setRodForces(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
                   const SectionStiffness& section, RodKinematics& rod,
                   std::vector<Eigen::Vector3d>& force_W) noexcept;
-
-/// Adds a bending stiffness at node i, to first order in the angle between its links: w changes by
-/// a P_t dx_next at the far end of one link and by b P_p dx_last at that of the other, where P_t is the
-/// projection perpendicular to t.
-void addBending(std::size_t i, double stiffness, const RodKinematics& rod,
-                BandMatrix& matrix) noexcept;
-
-/// Adds the rod's stiffness to the matrix, at the edges stored by setRodForces().
-void addRodStiffness(const InsertionModel& model, Compression compression,
-                     const SectionStiffness& section, const RodKinematics& rod,
-                     BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

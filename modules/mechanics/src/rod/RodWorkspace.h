@@ -41,6 +41,7 @@ struct RodWorkspace {
         prediction(nodes),
         section(nodes),
         rod(nodes),
+        joints(nodes),
         twist(nodes),
         contacts(nodes),
         guide(nodes),
@@ -55,6 +56,7 @@ struct RodWorkspace {
   Prediction prediction;
   SectionStiffness section;
   RodKinematics rod;
+  JointStiffness joints;
   TwistSystem twist;
   ContactSet contacts;
   GuideLine guide;

@@ -91,11 +91,14 @@ PERILYMPH_IN_LANES void offsetWires(const InsertionState& state, const SectionSt
   }
 }
 
-/// Subtracts from the matrix what yielding takes from the stiffness at node i along the bend.
-///
-/// @return  What it takes from the stiffness in every direction [N.m].
-double softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
-                      BandMatrix& matrix) noexcept;
+/// What yielding takes from the stiffness at node i in every direction [N.m]: of a branch, s k (1 - n n^T)
+/// is left of k.
+double lostByYielding(const SectionStiffness& section, const RodKinematics& rod,
+                      std::size_t i) noexcept;
+
+/// Subtracts from the matrix what it takes along the bend beyond that.
+void softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
+                    BandMatrix& matrix) noexcept;
 
 /// Commits the plastic bends of a node, or of four, at the end of a step; `bent` as for yieldStress().
 ///

@@ -30,9 +30,9 @@ struct EliminatedRhs {
   Triple<T> second;
 };
 
-bool isPositive(double a) noexcept { return a > 0.0; }
+PERILYMPH_IN_LANES bool isPositive(double a) noexcept { return a > 0.0; }
 template <class Wide>
-bool isPositive(Wide a) noexcept
+PERILYMPH_IN_LANES bool isPositive(Wide a) noexcept
 {
   return a[0] > 0.0 && a[1] > 0.0;
 }
@@ -40,7 +40,7 @@ bool isPositive(Wide a) noexcept
 /// The inverse of a symmetric block by its cofactors. False, without inverse, if it is not positive
 /// definite.
 template <class T>
-bool invert(SymmetricBlock<T>& a) noexcept
+PERILYMPH_IN_LANES bool invert(SymmetricBlock<T>& a) noexcept
 {
   const T xx = a.yy * a.zz - a.yz * a.yz;
   const T xy = a.xz * a.yz - a.xy * a.zz;
@@ -60,7 +60,8 @@ bool invert(SymmetricBlock<T>& a) noexcept
 
 /// Eliminates one unknown: computes the column of the factors and its contribution to the next two.
 template <class T, class Column>
-bool eliminate(MatrixColumn<T> a, EliminatedRows<T>& taken, Column& factors) noexcept
+PERILYMPH_IN_LANES bool eliminate(MatrixColumn<T> a, EliminatedRows<T>& taken,
+                                  Column& factors) noexcept
 {
   a.diagonal -= taken.diagonal;
   a.beside -= taken.beside;
@@ -97,7 +98,8 @@ PERILYMPH_IN_LANES void substituteBack(const Triple<T>& next, const Triple<T>& s
 }
 
 template <class Wide>
-SymmetricBlock<Wide> pair(const SymmetricBlock<double>& a, const SymmetricBlock<double>& b) noexcept
+PERILYMPH_IN_LANES SymmetricBlock<Wide> pair(const SymmetricBlock<double>& a,
+                                             const SymmetricBlock<double>& b) noexcept
 {
   return {Wide{a.xx, b.xx}, Wide{a.xy, b.xy}, Wide{a.xz, b.xz},
           Wide{a.yy, b.yy}, Wide{a.yz, b.yz}, Wide{a.zz, b.zz}};
@@ -105,33 +107,33 @@ SymmetricBlock<Wide> pair(const SymmetricBlock<double>& a, const SymmetricBlock<
 
 /// The block of one chain beside the mirrored block of the other.
 template <class Wide>
-Block<Wide> pairMirrored(const Block<double>& a, const Block<double>& b) noexcept
+PERILYMPH_IN_LANES Block<Wide> pairMirrored(const Block<double>& a, const Block<double>& b) noexcept
 {
   return {Wide{a.xx, b.xx}, Wide{a.xy, b.yx}, Wide{a.xz, b.zx}, Wide{a.yx, b.xy}, Wide{a.yy, b.yy},
           Wide{a.yz, b.zy}, Wide{a.zx, b.xz}, Wide{a.zy, b.yz}, Wide{a.zz, b.zz}};
 }
 
 template <class Wide>
-Triple<Wide> pair(const Triple<double>& a, const Triple<double>& b) noexcept
+PERILYMPH_IN_LANES Triple<Wide> pair(const Triple<double>& a, const Triple<double>& b) noexcept
 {
   return {Wide{a.x, b.x}, Wide{a.y, b.y}, Wide{a.z, b.z}};
 }
 
 template <class Wide>
-SymmetricBlock<double> laneOf(const SymmetricBlock<Wide>& a, int lane) noexcept
+PERILYMPH_IN_LANES SymmetricBlock<double> laneOf(const SymmetricBlock<Wide>& a, int lane) noexcept
 {
   return {a.xx[lane], a.xy[lane], a.xz[lane], a.yy[lane], a.yz[lane], a.zz[lane]};
 }
 
 template <class Wide>
-Block<double> laneOf(const Block<Wide>& a, int lane) noexcept
+PERILYMPH_IN_LANES Block<double> laneOf(const Block<Wide>& a, int lane) noexcept
 {
   return {a.xx[lane], a.xy[lane], a.xz[lane], a.yx[lane], a.yy[lane],
           a.yz[lane], a.zx[lane], a.zy[lane], a.zz[lane]};
 }
 
 template <class Wide>
-Triple<double> laneOf(const Triple<Wide>& a, int lane) noexcept
+PERILYMPH_IN_LANES Triple<double> laneOf(const Triple<Wide>& a, int lane) noexcept
 {
   return {a.x[lane], a.y[lane], a.z[lane]};
 }
@@ -154,6 +156,12 @@ BandFactors::BandFactors(std::size_t blocks)
 }
 
 bool BandFactors::factorize(const BandMatrix& matrix) noexcept
+{
+  withLanes([&]() PERILYMPH_KERNEL { factorizeInLanes(matrix); });
+  return exist_;
+}
+
+PERILYMPH_IN_LANES void BandFactors::factorizeInLanes(const BandMatrix& matrix) noexcept
 {
   const auto& [diagonal, beside, beyond, firstIsHeld] = matrix;
   firstIsHeld_ = firstIsHeld;
@@ -185,7 +193,6 @@ bool BandFactors::factorize(const BandMatrix& matrix) noexcept
   for (std::size_t k = 0; k < left_; ++k)
     isDefinite = eliminate(middle[k], takenBefore, middle_[k]) && isDefinite;
   exist_ = isDefinite;
-  return isDefinite;
 }
 
 void BandFactors::solve(std::vector<Eigen::Vector3d>& right) noexcept

@@ -41,6 +41,7 @@ private:
   /// Two numbers: one for the chain from the base, one for the chain from the tip.
   using Lanes [[gnu::vector_size(16)]] = double;
 
+  void factorizeInLanes(const BandMatrix& matrix) noexcept;
   void solveInLanes(std::vector<Eigen::Vector3d>& right) noexcept;
 
   /// Column k of the factors, in the order of elimination.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// 3x3 blocks as plain numbers. T is a double, or a pair of doubles processed in parallel
-// (BandFactors). Everything is written out, so that the compiler keeps a whole block in registers
+// 3x3 blocks as plain numbers. T is a double, or a pair or four of them processed in
+// parallel (BandFactors, lanes/Lanes.h). Everything is written out, so that the compiler keeps a whole block in registers
 // and the order of the sums, and with it the last bit, is fixed.
 
 namespace perilymph::mechanics {
@@ -12,12 +12,12 @@ template <class T>
 struct Triple {
   T x{}, y{}, z{};
 
-  Triple& operator+=(const Triple& o) noexcept
+  [[gnu::always_inline]] Triple& operator+=(const Triple& o) noexcept
   {
     x += o.x, y += o.y, z += o.z;
     return *this;
   }
-  Triple& operator-=(const Triple& o) noexcept
+  [[gnu::always_inline]] Triple& operator-=(const Triple& o) noexcept
   {
     x -= o.x, y -= o.y, z -= o.z;
     return *this;
@@ -29,12 +29,12 @@ template <class T>
 struct SymmetricBlock {
   T xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
 
-  SymmetricBlock& operator+=(const SymmetricBlock& o) noexcept
+  [[gnu::always_inline]] SymmetricBlock& operator+=(const SymmetricBlock& o) noexcept
   {
     xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz;
     return *this;
   }
-  SymmetricBlock& operator-=(const SymmetricBlock& o) noexcept
+  [[gnu::always_inline]] SymmetricBlock& operator-=(const SymmetricBlock& o) noexcept
   {
     xx -= o.xx, xy -= o.xy, xz -= o.xz, yy -= o.yy, yz -= o.yz, zz -= o.zz;
     return *this;
@@ -46,14 +46,14 @@ template <class T>
 struct Block {
   T xx{}, xy{}, xz{}, yx{}, yy{}, yz{}, zx{}, zy{}, zz{};
 
-  Block& operator+=(const Block& o) noexcept
+  [[gnu::always_inline]] Block& operator+=(const Block& o) noexcept
   {
     xx += o.xx, xy += o.xy, xz += o.xz;
     yx += o.yx, yy += o.yy, yz += o.yz;
     zx += o.zx, zy += o.zy, zz += o.zz;
     return *this;
   }
-  Block& operator-=(const Block& o) noexcept
+  [[gnu::always_inline]] Block& operator-=(const Block& o) noexcept
   {
     xx -= o.xx, xy -= o.xy, xz -= o.xz;
     yx -= o.yx, yy -= o.yy, yz -= o.yz;
@@ -63,14 +63,15 @@ struct Block {
 };
 
 template <class T>
-Block<T> transposed(const Block<T>& a) noexcept
+[[gnu::always_inline]] inline Block<T> transposed(const Block<T>& a) noexcept
 {
   return {a.xx, a.yx, a.zx, a.xy, a.yy, a.zy, a.xz, a.yz, a.zz};
 }
 
 /// a S
 template <class T>
-Block<T> product(const Block<T>& a, const SymmetricBlock<T>& s) noexcept
+[[gnu::always_inline]] inline Block<T> product(const Block<T>& a,
+                                               const SymmetricBlock<T>& s) noexcept
 {
   return {a.xx * s.xx + a.xy * s.xy + a.xz * s.xz, a.xx * s.xy + a.xy * s.yy + a.xz * s.yz,
           a.xx * s.xz + a.xy * s.yz + a.xz * s.zz, a.yx * s.xx + a.yy * s.xy + a.yz * s.xz,
@@ -81,7 +82,8 @@ Block<T> product(const Block<T>& a, const SymmetricBlock<T>& s) noexcept
 
 /// a b^T
 template <class T>
-Block<T> productWithTransposed(const Block<T>& a, const Block<T>& b) noexcept
+[[gnu::always_inline]] inline Block<T> productWithTransposed(const Block<T>& a,
+                                                             const Block<T>& b) noexcept
 {
   return {a.xx * b.xx + a.xy * b.xy + a.xz * b.xz, a.xx * b.yx + a.xy * b.yy + a.xz * b.yz,
           a.xx * b.zx + a.xy * b.zy + a.xz * b.zz, a.yx * b.xx + a.yy * b.xy + a.yz * b.xz,
@@ -92,7 +94,8 @@ Block<T> productWithTransposed(const Block<T>& a, const Block<T>& b) noexcept
 
 /// a b^T if the result is known to be symmetric.
 template <class T>
-SymmetricBlock<T> symmetricProduct(const Block<T>& a, const Block<T>& b) noexcept
+[[gnu::always_inline]] inline SymmetricBlock<T> symmetricProduct(const Block<T>& a,
+                                                                 const Block<T>& b) noexcept
 {
   return {a.xx * b.xx + a.xy * b.xy + a.xz * b.xz, a.xx * b.yx + a.xy * b.yy + a.xz * b.yz,
           a.xx * b.zx + a.xy * b.zy + a.xz * b.zz, a.yx * b.yx + a.yy * b.yy + a.yz * b.yz,

@@ -9,7 +9,7 @@
 #include "contact/Heights.h"
 #include "contact/Rim.h"
 #include "lanes/Lanes.h"
-#include "rod/Material.h"
+#include "rod/Rod.h"
 
 namespace perilymph::mechanics {
 namespace {
@@ -126,19 +126,17 @@ void assembleStiffness(const InsertionModel& model, const Base& base, Compressio
                        RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  work.system.matrix.clear();
   BandMatrix& matrix = work.system.matrix;
-  addRodStiffness(model, compression, work.section, work.rod, matrix);
-  if (model.twists) addMaterialStiffness(model, work.section, work.rod, matrix);
+  setRodStiffness(model, compression, work.section, work.rod, work.joints, matrix);
   addWallStiffness(work.contacts, work.friction, matrix);
   addRimStiffness(model, work.contacts, matrix);
   addGuideStiffness(model, work.guide, matrix);
   for (std::size_t i = 2; i < n; ++i)
-    work.system.matrix.diagonal[blockOf(i)] += uniform(work.inertia.hold[3 * i]);
+    matrix.diagonal.add(blockOf(i), uniform(work.inertia.hold[3 * i]));
   if (base.isHeld)
-    work.system.matrix.holdFirst();
+    matrix.holdFirst();
   else
-    work.system.matrix.diagonal[0] += uniform(base.inertia + base.effectiveStiffness);
+    matrix.diagonal.add(0, uniform(base.inertia + base.effectiveStiffness));
 }
 
 }  // namespace perilymph::mechanics

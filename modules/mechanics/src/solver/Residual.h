@@ -7,7 +7,7 @@
 
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
-#include "rod/Rod.h"
+#include "rod/RodStiffness.h"
 #include "rod/RodWorkspace.h"
 
 namespace perilymph::mechanics {

@@ -48,17 +48,19 @@ void addPartition(Hash& hash, const PartitionState& partition)
 
 void addSeen(Hash& hash, const ContactSet& contacts)
 {
-  for (std::size_t i = 0; i < contacts.seen.size(); ++i) {
-    const SeenWall& seen = contacts.seen[i];
-    if (!(seen.trustRadius > 0.0)) continue;
+  const SeenWalls& seen = contacts.seen;
+  for (std::size_t i = 0; i < contacts.wall.size(); ++i) {
+    if (!(seen.trustRadius[i] > 0.0)) continue;
     hash.add(i);
-    addVector(hash, seen.from_W);
-    hash.add(seen.distance);
-    addVector(hash, seen.normal_W);
-    hash.add(seen.trustRadius);
+    addVector(hash, seen.from_W[i]);
+    hash.add(seen.distance[i]);
+    addVector(hash, seen.normal_W[i]);
+    hash.add(seen.trustRadius[i]);
     hash.add(contacts.wall[i].onMembrane);
+    const Eigen::Vector3d rows[] = {seen.hessian_W[0][i], seen.hessian_W[1][i],
+                                    seen.hessian_W[2][i]};
     for (int k = 0; k < 3; ++k) {
-      addVector(hash, seen.hessian_W.col(k));
+      addVector(hash, {rows[0][k], rows[1][k], rows[2][k]});
       addVector(hash, contacts.wall[i].shapeOperator_W.col(k));
     }
   }
@@ -166,7 +168,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   // nodes farther from the wall than this cannot touch it
   for (std::size_t i = 0; i < rod.contacts.reach.size(); ++i)
     rod.contacts.reach[i] = model.radius[i];
-  for (SeenWall& seen : rod.contacts.seen) seen.trustRadius = 0.0;
+  std::ranges::fill(rod.contacts.seen.trustRadius, 0.0);
   rod.inertia.timeStep = 0.0;
   rod.section.styletWithdrawal = std::numeric_limits<double>::quiet_NaN();
   for (OpenNode& node : rod.contacts.open) node = OpenNode{};

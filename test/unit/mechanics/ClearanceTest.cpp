@@ -51,11 +51,11 @@ protected:
     return at_W;
   }
 
-  const anatomy::WallPoint& wallAt(const Eigen::Vector3d& at_W)
+  anatomy::WallPoint wallAt(const Eigen::Vector3d& at_W)
   {
     state_.position_W[node_] = at_W;
     findWall(*model_, start_, state_, contacts_);
-    return contacts_.wall[node_];
+    return mechanics::wallAt(contacts_, node_);
   }
 
   std::shared_ptr<const InsertionModel> model_;
@@ -68,13 +68,13 @@ protected:
 
 TEST_F(Clearance, SeesTheWallAgainWhereATrialOfTheSameStepHadLeftIt)
 {
-  const anatomy::WallPoint& pressed = wallAt(pressed_W_);
+  const anatomy::WallPoint pressed = wallAt(pressed_W_);
   ASSERT_TRUE(pressed.isNear);
   EXPECT_NEAR(pressed.distance, model_->radius[node_] - 5e-6, 1e-9);
-  ASSERT_GT(contacts_.seen[node_].trustRadius, 1e-6);
+  ASSERT_GT(contacts_.seen.trustRadius[node_], 1e-6);
   EXPECT_FALSE(wallAt(away_W_).isNear);
 
-  const anatomy::WallPoint& again = wallAt(pressed_W_);
+  const anatomy::WallPoint again = wallAt(pressed_W_);
   EXPECT_EQ(contacts_.isRequested[node_], 0);  // from what was found before
   EXPECT_TRUE(again.isNear);
   EXPECT_NEAR(again.distance, model_->radius[node_] - 5e-6, 1e-9);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "contact/Heights.h"
+#include "lanes/Flags.h"
 #include "lanes/Lanes.h"
 
 namespace perilymph::mechanics {
@@ -17,71 +18,122 @@ constexpr double justBehind = 1e-6;       // [m]
 // Maximum angle around the modiolus of the duct right behind the opening.
 constexpr double farthestTurn = 0.8;  // [rad]
 
-void setSquaredMotions(const StepStart& start, const InsertionState& state,
-                       std::vector<double>& squaredMotion) noexcept
-{
-  inLanes(0, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const Triple<T> moved = load<T>(state.position_W, i) - load<T>(start.position_W, i);
-    store(dot(moved, moved), squaredMotion, i);
-  });
-}
-
-void setNear(bool isNear, std::size_t i, ContactSet& contacts) noexcept
-{
-  contacts.wall[i].isNear = isNear;
-  contacts.isNear[i] = isNear ? 1 : 0;
-}
-
 /// Contact of a node from outside with the bone beside the opening: a plane that supports its
 /// center line.
 void seeBone(const InsertionModel& model, const InsertionState& state, std::size_t i,
              ContactSet& contacts) noexcept
 {
   const double inside = (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
+  contacts.isNear[i] = inside > 0.0 ? 1 : 0;
+  contacts.isKnown[i] = 0;
+  contacts.distance[i] = model.radius[i] - inside;
+  contacts.normal_W.set(i, model.entry.out_W);
+  contacts.seen.trustRadius[i] = 0.0;
   anatomy::WallPoint& wall = contacts.wall[i];
-  setNear(inside > 0.0, i, contacts);
   wall.clearance = 0.0;
   wall.onMembrane = false;
-  wall.distance = model.radius[i] - inside;
-  wall.normal_W = model.entry.out_W;
   wall.shapeOperator_W.setZero();
-  contacts.isKnown[i] = 0;
-  contacts.seen[i].trustRadius = 0.0;
 }
 
-/// Whether the wall that was found earlier holds at a position, to which it is extrapolated: for a
-/// node near the wall within its trust radius, for one that was distant in this step while it cannot
-/// touch.
-bool isStillSeen(const Eigen::Vector3d& at_W, ContactSet& contacts, std::size_t i) noexcept
+/// The motion of a node, or of four, since its wall was found, and what the distance has become: to second
+/// order, in the order in which Eigen multiplies a matrix with a vector.
+template <class T>
+struct FollowedWall {
+  T squared;  ///< Of that motion [m^2].
+  T distance;
+  Triple<T> normal_W;
+
+  PERILYMPH_IN_LANES FollowedWall(const SeenWalls& seen, const Triple<T>& at_W,
+                                  std::size_t i) noexcept
+  {
+    const Triple<T> moved = at_W - load<T>(seen.from_W, i);
+    squared = dot(moved, moved);
+    const Triple<T> last = load<T>(seen.hessian_W[2], i);
+    const Triple<T> turned{dot(load<T>(seen.hessian_W[0], i), moved),
+                           dot(load<T>(seen.hessian_W[1], i), moved),
+                           last.x * moved.x + (last.y * moved.y + last.z * moved.z)};
+    const Triple<T> normal = load<T>(seen.normal_W, i);
+    distance = load<T>(seen.distance, i) + dot(normal + (T{} + 0.5) * turned, moved);
+    normal_W = normal + turned;
+  }
+};
+
+/// Finds what needs no query, of every node but the tip: those that are farther from the wall than they
+/// moved in this step, and those near it within the trust radius of what was seen, to which the wall is
+/// extrapolated.
+void followWalls(const StepStart& start, const InsertionState& state, ContactSet& contacts) noexcept
 {
-  anatomy::WallPoint& wall = contacts.wall[i];
-  const SeenWall& seen = contacts.seen[i];
-  const Eigen::Vector3d moved = at_W - seen.from_W;
-  const double squared = moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2];
-  if (!(seen.trustRadius > 0.0))
-    return contacts.isKnown[i] != 0 && !wall.isNear && wall.clearance > 0.0 &&
-           squared < wall.clearance * wall.clearance;
-  if (!(squared < seen.trustRadius * seen.trustRadius)) return false;
-  const Eigen::Vector3d turned = seen.hessian_W * moved;
-  wall.distance = seen.distance + (seen.normal_W + 0.5 * turned).dot(moved);
-  wall.normal_W = seen.normal_W + turned;
-  // an earlier trial of this step may have left the node where it cannot touch
-  setNear(true, i, contacts);
-  wall.clearance = 0.0;
-  contacts.isKnown[i] = 1;
+  inLanes(0, state.position_W.size() - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const Triple<T> at_W = load<T>(state.position_W, i);
+    const Triple<T> moved = at_W - load<T>(start.position_W, i);
+    const T squaredMotion = dot(moved, moved);
+    store(squaredMotion, contacts.squaredMotion, i);
+    const T clearance = load<T>(state.clearance, i);
+    const T trust = load<T>(contacts.seen.trustRadius, i);
+    const FollowedWall<T> wall(contacts.seen, at_W, i);
+    const auto isAway = squaredMotion < clearance * clearance;
+    const auto isSeen = (trust > 0.0) & (wall.squared < trust * trust);
+    store(oneOf(isSeen, wall.distance, load<T>(contacts.distance, i)), contacts.distance, i);
+    store(oneOf(isSeen, wall.normal_W, load<T>(contacts.normal_W, i)), contacts.normal_W, i);
+    using F = decltype(flagsAt(lane, state.isBeside, i));
+    const F away = flagsOf(isAway), seen = flagsOf(isSeen);
+    const F isFollowed = F((away | seen) & opposite(flagsAt(lane, state.isBeside, i)));
+    const F isNear = F(isFollowed & seen & opposite(away)), other = opposite(isFollowed);
+    store(isFollowed, contacts.isFollowed, i);
+    store(F(isNear | (other & flagsAt(lane, contacts.isNear, i))), contacts.isNear, i);
+    store(F(isNear | (other & flagsAt(lane, contacts.isKnown, i))), contacts.isKnown, i);
+  });
+}
+
+/// Whether no query is needed at a node that followWalls() left: at the tip as at the others; elsewhere
+/// one that was found distant in this step cannot touch yet.
+bool isStillSeen(const InsertionState& state, std::size_t i, ContactSet& contacts) noexcept
+{
+  const SeenWalls& seen = contacts.seen;
+  const Eigen::Vector3d& at_W = state.position_W[i];
+  const Triple<double> at{at_W[0], at_W[1], at_W[2]};
+  const FollowedWall<double> wall(seen, at, i);
+  const double trust = seen.trustRadius[i], clearance = contacts.wall[i].clearance;
+  if (!(trust > 0.0))
+    return contacts.isKnown[i] != 0 && contacts.isNear[i] == 0 && clearance > 0.0 &&
+           wall.squared < clearance * clearance;
+  if (!(wall.squared < trust * trust)) return false;
+  contacts.distance[i] = wall.distance;
+  contacts.normal_W.set(i, {wall.normal_W.x, wall.normal_W.y, wall.normal_W.z});
+  contacts.isNear[i] = contacts.isKnown[i] = 1;
   return true;
 }
 
 /// Keeps what a query found.
-void keepSeen(const Eigen::Vector3d& at_W, const anatomy::WallPoint& wall, SeenWall& seen) noexcept
+void keepSeen(const Eigen::Vector3d& at_W, std::size_t i, ContactSet& contacts) noexcept
 {
-  seen.from_W = at_W;
-  seen.trustRadius = wall.isNear ? wall.trustRadius : 0.0;
-  if (!(seen.trustRadius > 0.0)) return;
-  seen.distance = wall.distance;
-  seen.normal_W = wall.normal_W;
-  seen.hessian_W = wall.hessian_W;
+  const anatomy::WallPoint& wall = contacts.wall[i];
+  SeenWalls& seen = contacts.seen;
+  contacts.isNear[i] = wall.isNear ? 1 : 0;
+  seen.from_W.set(i, at_W);
+  seen.trustRadius[i] = wall.isNear ? wall.trustRadius : 0.0;
+  if (!wall.isNear) return;
+  contacts.distance[i] = wall.distance;
+  contacts.normal_W.set(i, wall.normal_W);
+  if (!(seen.trustRadius[i] > 0.0)) return;
+  seen.distance[i] = wall.distance;
+  seen.normal_W.set(i, wall.normal_W);
+  for (int row = 0; row < 3; ++row)
+    seen.hessian_W[static_cast<std::size_t>(row)].set(i, wall.hessian_W.row(row));
+}
+
+/// Finds the nodes of which findBone() looks at the place: near the plane of the opening, or beside it.
+void setNearPlane(const InsertionModel& model, const InsertionState& state,
+                  ContactSet& contacts) noexcept
+{
+  inLanes(0, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    using F = decltype(flagsAt(lane, state.isBeside, i));
+    const T height = load<T>(contacts.height, i);
+    const auto isNear = (height >= -load<T>(model.radius, i)) & (height <= farthestOutside);
+    store(F(flagsOf(isNear) | flagsAt(lane, state.isBeside, i)), contacts.isNearPlane, i);
+  });
 }
 
 }  // namespace
@@ -89,66 +141,66 @@ void keepSeen(const Eigen::Vector3d& at_W, const anatomy::WallPoint& wall, SeenW
 void findWall(const InsertionModel& model, const StepStart& start, InsertionState& state,
               ContactSet& contacts) noexcept
 {
-  const std::size_t n = state.position_W.size();
-  setSquaredMotions(start, state, contacts.squaredMotion);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double clearance = state.clearance[i];
-    contacts.isRequested[i] = 0;
+  const std::size_t n = state.position_W.size(), tip = n - 1;
+  followWalls(start, state, contacts);
+  // the tip's angle is a reading, and the place of a membrane depends on it
+  const auto follow = [&](std::size_t i) {
+    model.parts.lumen->follow(state.position_W[i], state.track[i]);
+  };
+  contacts.squaredMotion[tip] = (state.position_W[tip] - start.position_W[tip]).squaredNorm();
+  contacts.isFollowed[tip] = 0;
+  std::fill(contacts.isRequested.begin(), contacts.isRequested.end(), 0);
+  if (model.membrane)
+    for (std::size_t i = 0; i < tip; ++i)
+      if (contacts.isFollowed[i] != 0 && contacts.isNear[i] != 0) follow(i);
+  forEachNode(contacts.isFollowed, 0, [&](std::size_t i) {
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);
-      continue;
+      return;
     }
-    if (contacts.squaredMotion[i] < clearance * clearance && i + 1 < n) {
-      if (contacts.isNear[i] != 0) setNear(false, i, contacts);
-      contacts.isKnown[i] = 0;
-      continue;
-    }
-    if (isStillSeen(state.position_W[i], contacts, i)) {
-      // the tip's angle is a reading, and the place of a membrane depends on it
-      if (i + 1 == n || model.membrane)
-        model.parts.lumen->follow(state.position_W[i], state.track[i]);
-      continue;
+    if (isStillSeen(state, i, contacts)) {
+      if (i == tip || model.membrane) follow(i);
+      return;
     }
     contacts.isRequested[i] = 1;
     contacts.isKnown[i] = 1;
     contacts.wall[i].isNear = false;
     contacts.wall[i].trustRadius = 0.0;
-  }
+  });
 
   // neighboring nodes in one query
-  for (std::size_t first = 0; first < n;) {
-    std::size_t count = 0;
+  std::size_t asked = 0;  // up to here
+  forEachNode(contacts.isRequested, 1, [&](std::size_t first) {
+    if (first < asked) return;
+    std::size_t count = 1;
     while (first + count < n && contacts.isRequested[first + count] != 0) ++count;
-    if (count > 0)
-      model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
-                                     std::span(contacts.reach).subspan(first, count),
-                                     std::span(state.track).subspan(first, count),
-                                     std::span(contacts.wall).subspan(first, count));
-    for (std::size_t i = first; i < first + count; ++i) {
-      contacts.isNear[i] = contacts.wall[i].isNear ? 1 : 0;
-      keepSeen(state.position_W[i], contacts.wall[i], contacts.seen[i]);
-    }
-    first += count + 1;
-  }
+    model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
+                                   std::span(contacts.reach).subspan(first, count),
+                                   std::span(state.track).subspan(first, count),
+                                   std::span(contacts.wall).subspan(first, count));
+    asked = first + count;
+    for (std::size_t i = first; i < asked; ++i) keepSeen(state.position_W[i], i, contacts);
+  });
 }
 
 void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept
 {
   setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, contacts.height);
   placeLaterTurnsBehind(state.track, contacts.height);
-  for (std::size_t i = 0; i < state.position_W.size(); ++i) {
+  setNearPlane(model, state, contacts);
+  forEachNode(contacts.isNearPlane, 1, [&](std::size_t i) {
     const double height = contacts.height[i];
     const double radius = model.radius[i];
     const bool isFar = height < -radius || height > farthestOutside;
-    if (isFar && state.isBeside[i] == 0) continue;
+    if (isFar && state.isBeside[i] == 0) return;
     if (height > 0.0) state.isBeside[i] = 0;
     // a node farther inside keeps the state it had when it passed the plane
-    if (isFar || state.isBeside[i] != 0) continue;
+    if (isFar || state.isBeside[i] != 0) return;
     const bool isInside = height <= 0.0;
-    if (isInside && !(state.normalForce[i] > 0.0)) continue;
+    if (isInside && !(state.normalForce[i] > 0.0)) return;
     const Eigen::Vector3d from_W = state.position_W[i] - model.entry.origin_W;
     const double squared = from_W.squaredNorm() - height * height;
-    if (squared < 4.0 * radius * radius) continue;
+    if (squared < 4.0 * radius * radius) return;
     // the wall at the node, or right behind the plane if the node is still outside
     const Eigen::Vector3d behind_W =
         state.position_W[i] - (std::max(height, 0.0) + justBehind) * model.entry.out_W;
@@ -160,28 +212,24 @@ void findBone(const InsertionModel& model, InsertionState& state, ContactSet& co
     const double turned = track.angle - start.angle;
     const bool isElsewhere = turned < -farthestTurn || (!isInside && turned > farthestTurn);
     if (isElsewhere || (wall.isNear && wall.distance < -radius)) state.isBeside[i] = 1;
-  }
+  });
 }
 
-void keepClearance(const ContactSet& contacts, InsertionState& state) noexcept
+void keepClearance(ContactSet& contacts, InsertionState& state) noexcept
 {
-  for (std::size_t i = 0; i < state.clearance.size(); ++i) {
-    double& left = state.clearance[i];
-    if (state.isBeside[i] != 0) {
-      left = 0.0;
-      continue;
-    }
-    if (contacts.isKnown[i] == 0) {
-      left -= std::sqrt(contacts.squaredMotion[i]);
-      continue;
-    }
-    if (contacts.isNear[i] != 0) {
-      left = 0.0;
-      continue;
-    }
-    const double since = (state.position_W[i] - contacts.seen[i].from_W).norm();
-    left = std::max(contacts.wall[i].clearance - since, 0.0);
-  }
+  inLanesInPlace(0, state.clearance.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    using F = decltype(flagsAt(lane, contacts.isKnown, i));
+    const F isFree = opposite(flagsAt(lane, state.isBeside, i));
+    const F isKnown = flagsAt(lane, contacts.isKnown, i);
+    const T left = load<T>(state.clearance, i) - root(load<T>(contacts.squaredMotion, i));
+    store(T(oneOf(whereSet(F(isFree & opposite(isKnown))), left, T{})), state.clearance, i);
+    store(F(isFree & isKnown & opposite(flagsAt(lane, contacts.isNear, i))), contacts.isDistant, i);
+  });
+  forEachNode(contacts.isDistant, 1, [&](std::size_t i) {
+    const double since = (state.position_W[i] - contacts.seen.from_W[i]).norm();
+    state.clearance[i] = std::max(contacts.wall[i].clearance - since, 0.0);
+  });
 }
 
 }  // namespace perilymph::mechanics

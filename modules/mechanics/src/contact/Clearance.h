@@ -23,6 +23,6 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
 void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept;
 
 /// Updates state.clearance at the end of a step, where findWall() was called last.
-void keepClearance(const ContactSet& contacts, InsertionState& state) noexcept;
+void keepClearance(ContactSet& contacts, InsertionState& state) noexcept;
 
 }  // namespace perilymph::mechanics

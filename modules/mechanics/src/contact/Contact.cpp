@@ -9,7 +9,7 @@
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
 #include "friction/FrictionStep.h"
-#include "lanes/Lanes.h"
+#include "lanes/Flags.h"
 #include "rod/Rod.h"
 
 namespace perilymph::mechanics {
@@ -83,17 +83,16 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
                    std::size_t i, ContactSet& contacts, TouchingNode& touching) noexcept
 {
   const Eigen::Vector3d& at_W = state.position_W[i];
-  const anatomy::WallPoint& wall = contacts.wall[i];
   double half = model.radius[i];
-  const Eigen::Vector3d& gradient_W = wall.normal_W;
+  const Eigen::Vector3d gradient_W = contacts.normal_W[i];
   // bone beside the opening supports the center line, whatever the orientation of the section
   const bool isOval = model.isOval && state.isBeside[i] == 0;
   if (isOval) {
     SectionReach& reach = contacts.section[i];
-    if (!reach.isKnown) reach = reachToward(model, state, rod, i, wall.normal_W, state.section[i]);
+    if (!reach.isKnown) reach = reachToward(model, state, rod, i, gradient_W, state.section[i]);
     half = reach.length;
   }
-  const double penetration = half - wall.distance;
+  const double penetration = half - contacts.distance[i];
   if (penetration <= 0.0) return;
   const double onset = model.parts.wall.lining.si();
 
@@ -101,10 +100,10 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
                                        state.isBeside[i] != 0, model);
   NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
   Eigen::Vector3d& force_W = state.wallForce_W[i];
-  state.membraneForce[i] = wall.onMembrane ? push.force : 0.0;
+  state.membraneForce[i] = contacts.wall[i].onMembrane ? push.force : 0.0;
   if (model.membrane) {
     const MembraneFraction membrane =
-        model.membrane->fractionAt(at_W, model.radius[i], state.track[i], wall.normal_W);
+        model.membrane->fractionAt(at_W, model.radius[i], state.track[i], gradient_W);
     const SoftContactForce soft = softContactForce(penetration, fraction * model.wallStiffness[i],
                                                    membrane.fraction, model.parts);
     push = soft.normal;
@@ -124,9 +123,9 @@ void normalContact(const InsertionModel& model, InsertionState& state, const Rod
   touching.isPressed = true;
   touching.push = push;
   state.normalForce[i] = push.force;
-  const double steep = wall.normal_W.norm();
+  const double steep = gradient_W.norm();
   state.wallNormal_W[i] =
-      steep > 1e-6 ? Eigen::Vector3d(wall.normal_W / steep) : Eigen::Vector3d::Zero();
+      steep > 1e-6 ? Eigen::Vector3d(gradient_W / steep) : Eigen::Vector3d::Zero();
 }
 
 /// Friction on a node that touched the wall at the end of the last step. Its bound is the total
@@ -165,10 +164,9 @@ SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSe
   if (touching.isPressed && isOpen) {
     stiffness = contacts.open[touching.node].stiffness;
   } else if (touching.isPressed) {
-    const anatomy::WallPoint& wall = contacts.wall[touching.node];
     const double slope = touching.push.slope, force = touching.push.force;
-    const Eigen::Vector3d& g = wall.normal_W;
-    const Eigen::Matrix3d& k = wall.shapeOperator_W;
+    const Eigen::Vector3d g = contacts.normal_W[touching.node];
+    const Eigen::Matrix3d& k = contacts.wall[touching.node].shapeOperator_W;
     stiffness = {slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
                  slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
                  slope * g[1] * g[2] + force * k(1, 2), slope * g[2] * g[2] + force * k(2, 2)};
@@ -195,6 +193,26 @@ void removeContacts(bool isOval, ContactSet& contacts, InsertionState& state,
   std::fill_n(history.isSliding.data(), n, 0);
   std::fill_n(history.slip.data(), n, 0.0);
   if (isOval) std::fill_n(state.wallTorque.data(), n, WallTorque{});
+}
+
+/// Finds the nodes that press or did so before. The section of an oval array must tell its reach itself,
+/// and so must every node at an open partition.
+void setMayTouch(const InsertionModel& model, bool isOpen, const FrictionHistory& history,
+                 ContactSet& contacts) noexcept
+{
+  if (isOpen) {
+    std::ranges::fill(contacts.mayTouch, 1);
+    return;
+  }
+  inLanes(0, contacts.mayTouch.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    using F = decltype(flagsAt(lane, contacts.isNear, i));
+    const F isNear = flagsAt(lane, contacts.isNear, i);
+    const F wasPressed = flagsOf(load<T>(history.pressedBefore, i) > 0.0);
+    const T penetration = load<T>(model.radius, i) - load<T>(contacts.distance, i);
+    const F reaches = model.isOval ? isNear : F(isNear & flagsOf(penetration > 0.0));
+    store(F(reaches | wasPressed), contacts.mayTouch, i);
+  });
 }
 
 }  // namespace
@@ -240,27 +258,25 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
                    const RodKinematics& rod, ContactSet& contacts, FrictionHistory& history,
                    std::vector<Eigen::Vector3d>& force_W) noexcept
 {
-  const auto n = static_cast<std::size_t>(model.nodes);
   findWall(model, start, state, contacts);
 
   const bool isOpen = state.partition.isRuptured();
   removeContacts(model.isOval, contacts, state, history);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool isNear = contacts.isNear[i] != 0;
+  setMayTouch(model, isOpen, history, contacts);
+  forEachNode(contacts.mayTouch, 1, [&](std::size_t i) {
     const bool hasFriction = history.pressedBefore[i] > 0.0;
-    if (!isNear && !hasFriction && !isOpen) continue;
     TouchingNode& touching = contacts.touching[contacts.touches];
     touching.node = i;
     touching.isPressed = false;
     if (isOpen && contacts.open[i].isOpen)
       touching.isPressed = openContact(model, state, rod, i, contacts);
-    else if (isNear)
+    else if (contacts.isNear[i] != 0)
       normalContact(model, state, rod, i, contacts, touching);
     if (hasFriction) friction(model, state, start, touching, history);
-    if (!touching.isPressed && !hasFriction) continue;
+    if (!touching.isPressed && !hasFriction) return;
     force_W[i] += state.wallForce_W[i];
     ++contacts.touches;
-  }
+  });
 }
 
 double frictionLag(const InsertionModel& model, const InsertionState& state,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "friction/FrictionStep.h"
+#include "lanes/Lanes.h"
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "perilymph/mechanics/PassageModel.h"
@@ -25,14 +26,23 @@ struct RimStiffness {
   SymmetricBlock<double> stiffness;  ///< [N/m]
 };
 
-/// The wall near a node where the lumen was last queried, kept over many steps: while the node stays
+/// The wall near each node where the lumen was last queried, kept over many steps: while a node stays
 /// in the trust radius, the distance and its gradient follow from the second derivatives.
-struct SeenWall {
-  Eigen::Vector3d from_W = Eigen::Vector3d::Zero();     ///< Position of the node at the query [m].
-  double distance = 0.0;                                ///< There [m].
-  Eigen::Vector3d normal_W = Eigen::Vector3d::Zero();   ///< Gradient of the distance there.
-  Eigen::Matrix3d hessian_W = Eigen::Matrix3d::Zero();  ///< [1/m]
-  double trustRadius = 0.0;                             ///< [m]; 0: none is kept.
+struct SeenWalls {
+  explicit SeenWalls(std::size_t nodes = 0)
+      : from_W(nodes),
+        distance(nodes),
+        normal_W(nodes),
+        hessian_W{Axes(nodes), Axes(nodes), Axes(nodes)},
+        trustRadius(nodes)
+  {
+  }
+
+  Axes from_W;                      ///< Position of each node at the query [m].
+  std::vector<double> distance;     ///< There [m].
+  Axes normal_W;                    ///< Gradient of the distance there.
+  std::array<Axes, 3> hessian_W;    ///< Rows of its second derivatives [1/m].
+  std::vector<double> trustRadius;  ///< [m]; 0: none is kept.
 };
 
 /// Force of a compliant wall at a penetration depth, and its slope.
@@ -58,7 +68,7 @@ struct OpenNode {
   SymmetricBlock<double> stiffness;  ///< Stiffness of its contact [N/m].
 };
 
-/// The contacts of the current iteration. `seen` and `wall` are kept between steps.
+/// The contacts of the current iteration. `seen` and `wall` are kept between steps. Flags are 0 or 1.
 struct ContactSet {
   explicit ContactSet(std::size_t nodes = 0)
       : reach(nodes),
@@ -67,8 +77,14 @@ struct ContactSet {
         isRequested(nodes),
         isKnown(nodes),
         isNear(nodes),
+        isFollowed(nodes),
+        isDistant(nodes),
+        isNearPlane(nodes),
+        mayTouch(nodes),
         seen(nodes),
         wall(nodes),
+        distance(nodes),
+        normal_W(nodes),
         section(nodes),
         onPartition(nodes),
         touching(nodes)
@@ -79,19 +95,35 @@ struct ContactSet {
   std::vector<double> height;              ///< Height of each node above the opening [m].
   std::vector<double> squaredMotion;       ///< Squared motion of each node in this step [m^2].
   std::vector<unsigned char> isRequested;  ///< Whether the lumen was queried for each node.
-  std::vector<unsigned char> isKnown;      ///< Whether `wall` was found in this step.
-  std::vector<unsigned char> isNear;       ///< wall.isNear of each node.
-  std::vector<SeenWall> seen;              ///< What it was found from.
-  std::vector<anatomy::WallPoint> wall;    ///< Wall at each node.
-  std::vector<SectionReach> section;       ///< Section of each node, if it is oval.
-  std::vector<double> onPartition;         ///< Force of each node on the cochlear partition [N].
-  std::vector<OpenNode> open;              ///< Empty if the partition cannot rupture.
-  std::size_t touches = 0;                 ///< Number of nodes that touch the wall.
-  std::vector<TouchingNode> touching;      ///< Those nodes, from the base on.
-  RimContact rim;                          ///< State of the rim contact after this iteration.
-  RimStiffness rimStiffness;               ///< Stiffness of the rim contact.
+  std::vector<unsigned char> isKnown;      ///< Whether the wall was found in this step.
+  std::vector<unsigned char> isNear;       ///< Whether the wall is within reach of each node.
+  std::vector<unsigned char> isFollowed;   ///< Whether `seen` or the clearance told that.
+  std::vector<unsigned char> isDistant;    ///< Whether the lumen told how far the wall is.
+  std::vector<unsigned char> isNearPlane;  ///< Whether each node is near the plane of the opening.
+  std::vector<unsigned char> mayTouch;  ///< Whether each node is pressed, or its section must tell.
+  SeenWalls seen;                       ///< What the lumen was found to be.
+  std::vector<anatomy::WallPoint> wall;  ///< The last answer of the lumen for each node.
+  std::vector<double> distance;          ///< That of the wall, if it is near [m] ...
+  Axes normal_W;                         ///< ... and its gradient.
+  std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
+  std::vector<double> onPartition;       ///< Force of each node on the cochlear partition [N].
+  std::vector<OpenNode> open;            ///< Empty if the partition cannot rupture.
+  std::size_t touches = 0;               ///< Number of nodes that touch the wall.
+  std::vector<TouchingNode> touching;    ///< Those nodes, from the base on.
+  RimContact rim;                        ///< State of the rim contact after this iteration.
+  RimStiffness rimStiffness;             ///< Stiffness of the rim contact.
   std::array<RimStiffness, maxPassageRings - 1>
       innerRings;  ///< The same at the rings of a passage behind it.
 };
+
+/// The wall at a node.
+inline anatomy::WallPoint wallAt(const ContactSet& contacts, std::size_t i) noexcept
+{
+  anatomy::WallPoint wall = contacts.wall[i];
+  wall.isNear = contacts.isNear[i] != 0;
+  wall.distance = contacts.distance[i];
+  wall.normal_W = contacts.normal_W[i];
+  return wall;
+}
 
 }  // namespace perilymph::mechanics

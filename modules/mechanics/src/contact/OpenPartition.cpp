@@ -177,7 +177,7 @@ bool openContact(const InsertionModel& model, InsertionState& state, const RodKi
   const anatomy::LumenTrack& track = state.track[i];
   const IntactFraction whole = state.partition.at(track.angle);
 
-  anatomy::WallPoint own = contacts.wall[i];
+  anatomy::WallPoint own = wallAt(contacts, i);
   WallContact side, both;
   double ownReach = model.radius[i];
   if (whole.value > 0.0) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/Heights.h"
 #include "contact/PartitionRupture.h"
 #include "rod/Rod.h"
 #include "rod/Step.h"
@@ -36,43 +37,43 @@ Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const 
 }
 
 /// Length of array past the plane of the opening [m].
-double depthOf(const InsertionModel& model, const InsertionState& state) noexcept
+double depthOf(const InsertionModel& model, const InsertionState& state,
+               std::vector<double>& height) noexcept
 {
-  const auto inside = [&](std::size_t i) {
+  setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, height);
+  const auto behind = [&](std::size_t i) {
     return anatomy::behindOpening(model.entry, state.position_W[i], state.track[i]);
   };
-  double after = inside(state.position_W.size() - 1);
-  if (!(after > 0.0)) return 0.0;
-  for (std::size_t i = state.position_W.size() - 1; i-- > 0;) {
-    const double before = inside(i);
-    if (before <= 0.0) {
-      const double fraction = after / (after - before);
-      return model.fromTip[i + 1] + fraction * model.spacing;
-    }
-    after = before;
+  const std::size_t tip = state.position_W.size() - 1;
+  if (!(behind(tip) > 0.0)) return 0.0;
+  for (std::size_t i = tip; i-- > 0;) {
+    if (height[i] < 0.0) continue;  // a later turn that the plane cuts is behind it, too
+    const double before = behind(i), after = behind(i + 1);
+    if (before <= 0.0) return model.fromTip[i + 1] + after / (after - before) * model.spacing;
   }
   return model.fromTip[0];
 }
 
 /// Fills the readings of the step.
 void read(const InsertionModel& model, InsertionState& state, const Wrench& wrench,
-          const SolveResult& result, const StepWork& done) noexcept
+          const SolveResult& result, RodWorkspace& work) noexcept
 {
   Readings& r = state.readings;
-  r.evaluations = done.evaluations;
-  r.factorizations = done.factorizations;
+  r.evaluations = work.done.evaluations;
+  r.factorizations = work.done.factorizations;
   r.iterations = result.iterations;
   r.residual = result.residual.maxNorm;
   r.handForce_W = wrench.force_W;
   r.handTorque_W = wrench.torque_W;
   r.axialForce = r.handForce_W.dot(model.entry.out_W);
   r.speed = -state.baseVelocity_W.dot(model.entry.out_W);
-  r.depth = depthOf(model, state);
+  r.depth = depthOf(model, state, work.contacts.height);
   r.angularDepth = r.depth > 0.0 ? std::max(state.track.back().angle, 0.0) : 0.0;
   r.rimForce = state.rim.normalForce;
   r.contacts = 0;
   r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
-  for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
+  for (std::size_t k = 0; k < work.contacts.touches; ++k) {
+    const std::size_t i = work.contacts.touching[k].node;
     const double force = state.normalForce[i];
     if (!(force > 0.0)) continue;
     ++r.contacts;
@@ -106,7 +107,7 @@ void advanceRod(const InsertionModel& model, InsertionState& state, const Drive&
   commitStep(model, state, work);
   const Wrench wrench = wrenchOf(model, state, drive, step.base, work);
   ++state.tick;
-  read(model, state, wrench, step.result, work.done);
+  read(model, state, wrench, step.result, work);
   if (state.isSettling) return;
   const PartitionContact contact = contactWithPartition(model, state, work.contacts);
   state.readings.partitionForce = contact.force;

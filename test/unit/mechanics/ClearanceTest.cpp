@@ -75,7 +75,7 @@ TEST_F(Clearance, SeesTheWallAgainWhereATrialOfTheSameStepHadLeftIt)
   EXPECT_FALSE(wallAt(away_W_).isNear);
 
   const anatomy::WallPoint again = wallAt(pressed_W_);
-  EXPECT_EQ(contacts_.isRequested[node_], 0);  // from what was found before
+  EXPECT_EQ(contacts_.isRequested[node_], no);  // from what was found before
   EXPECT_TRUE(again.isNear);
   EXPECT_NEAR(again.distance, model_->radius[node_] - 5e-6, 1e-9);
   keepClearance(contacts_, state_);

@@ -24,8 +24,8 @@ void seeBone(const InsertionModel& model, const InsertionState& state, std::size
              ContactSet& contacts) noexcept
 {
   const double inside = (model.entry.origin_W - state.position_W[i]).dot(model.entry.out_W);
-  contacts.isNear[i] = inside > 0.0 ? 1 : 0;
-  contacts.isKnown[i] = 0;
+  contacts.isNear[i] = inside > 0.0 ? yes : no;
+  contacts.isKnown[i] = no;
   contacts.distance[i] = model.radius[i] - inside;
   contacts.normal_W.set(i, model.entry.out_W);
   contacts.seen.trustRadius[i] = 0.0;
@@ -76,13 +76,12 @@ void followWalls(const StepStart& start, const InsertionState& state, ContactSet
     const auto isSeen = (trust > 0.0) & (wall.squared < trust * trust);
     store(oneOf(isSeen, wall.distance, load<T>(contacts.distance, i)), contacts.distance, i);
     store(oneOf(isSeen, wall.normal_W, load<T>(contacts.normal_W, i)), contacts.normal_W, i);
-    using F = decltype(flagsAt(lane, state.isBeside, i));
-    const F away = flagsOf(isAway), seen = flagsOf(isSeen);
-    const F isFollowed = F((away | seen) & opposite(flagsAt(lane, state.isBeside, i)));
-    const F isNear = F(isFollowed & seen & opposite(away)), other = opposite(isFollowed);
-    store(isFollowed, contacts.isFollowed, i);
-    store(F(isNear | (other & flagsAt(lane, contacts.isNear, i))), contacts.isNear, i);
-    store(F(isNear | (other & flagsAt(lane, contacts.isKnown, i))), contacts.isKnown, i);
+    const auto isFree = load<T>(contacts.isBeside, i) == no;
+    const auto isFollowed = isFree & (isAway | isSeen);
+    const T isNear = flagsOf<T>(isSeen & (isAway == 0));
+    store(flagsOf<T>(isFollowed), contacts.isFollowed, i);
+    store(oneOf(isFollowed, isNear, load<T>(contacts.isNear, i)), contacts.isNear, i);
+    store(oneOf(isFollowed, isNear, load<T>(contacts.isKnown, i)), contacts.isKnown, i);
   });
 }
 
@@ -96,12 +95,12 @@ bool isStillSeen(const InsertionState& state, std::size_t i, ContactSet& contact
   const FollowedWall<double> wall(seen, at, i);
   const double trust = seen.trustRadius[i], clearance = contacts.wall[i].clearance;
   if (!(trust > 0.0))
-    return contacts.isKnown[i] != 0 && contacts.isNear[i] == 0 && clearance > 0.0 &&
+    return contacts.isKnown[i] == yes && contacts.isNear[i] == no && clearance > 0.0 &&
            wall.squared < clearance * clearance;
   if (!(wall.squared < trust * trust)) return false;
   contacts.distance[i] = wall.distance;
   contacts.normal_W.set(i, {wall.normal_W.x, wall.normal_W.y, wall.normal_W.z});
-  contacts.isNear[i] = contacts.isKnown[i] = 1;
+  contacts.isNear[i] = contacts.isKnown[i] = yes;
   return true;
 }
 
@@ -110,7 +109,7 @@ void keepSeen(const Eigen::Vector3d& at_W, std::size_t i, ContactSet& contacts) 
 {
   const anatomy::WallPoint& wall = contacts.wall[i];
   SeenWalls& seen = contacts.seen;
-  contacts.isNear[i] = wall.isNear ? 1 : 0;
+  contacts.isNear[i] = wall.isNear ? yes : no;
   seen.from_W.set(i, at_W);
   seen.trustRadius[i] = wall.isNear ? wall.trustRadius : 0.0;
   if (!wall.isNear) return;
@@ -124,15 +123,13 @@ void keepSeen(const Eigen::Vector3d& at_W, std::size_t i, ContactSet& contacts) 
 }
 
 /// Finds the nodes of which findBone() looks at the place: near the plane of the opening, or beside it.
-void setNearPlane(const InsertionModel& model, const InsertionState& state,
-                  ContactSet& contacts) noexcept
+void setNearPlane(const InsertionModel& model, ContactSet& contacts) noexcept
 {
-  inLanes(0, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  inLanes(0, contacts.height.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    using F = decltype(flagsAt(lane, state.isBeside, i));
     const T height = load<T>(contacts.height, i);
     const auto isNear = (height >= -load<T>(model.radius, i)) & (height <= farthestOutside);
-    store(F(flagsOf(isNear) | flagsAt(lane, state.isBeside, i)), contacts.isNearPlane, i);
+    store(flagsOf<T>(isNear | (load<T>(contacts.isBeside, i) == yes)), contacts.isNearPlane, i);
   });
 }
 
@@ -148,12 +145,12 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
     model.parts.lumen->follow(state.position_W[i], state.track[i]);
   };
   contacts.squaredMotion[tip] = (state.position_W[tip] - start.position_W[tip]).squaredNorm();
-  contacts.isFollowed[tip] = 0;
-  std::fill(contacts.isRequested.begin(), contacts.isRequested.end(), 0);
+  contacts.isFollowed[tip] = no;
+  std::ranges::fill(contacts.isRequested, no);
   if (model.membrane)
     for (std::size_t i = 0; i < tip; ++i)
-      if (contacts.isFollowed[i] != 0 && contacts.isNear[i] != 0) follow(i);
-  forEachNode(contacts.isFollowed, 0, [&](std::size_t i) {
+      if (contacts.isFollowed[i] == yes && contacts.isNear[i] == yes) follow(i);
+  forEachNode(contacts.isFollowed, no, [&](std::size_t i) {
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);
       return;
@@ -162,18 +159,18 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
       if (i == tip || model.membrane) follow(i);
       return;
     }
-    contacts.isRequested[i] = 1;
-    contacts.isKnown[i] = 1;
+    contacts.isRequested[i] = yes;
+    contacts.isKnown[i] = yes;
     contacts.wall[i].isNear = false;
     contacts.wall[i].trustRadius = 0.0;
   });
 
   // neighboring nodes in one query
   std::size_t asked = 0;  // up to here
-  forEachNode(contacts.isRequested, 1, [&](std::size_t first) {
+  forEachNode(contacts.isRequested, yes, [&](std::size_t first) {
     if (first < asked) return;
     std::size_t count = 1;
-    while (first + count < n && contacts.isRequested[first + count] != 0) ++count;
+    while (first + count < n && contacts.isRequested[first + count] == yes) ++count;
     model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
                                    std::span(contacts.reach).subspan(first, count),
                                    std::span(state.track).subspan(first, count),
@@ -187,13 +184,14 @@ void findBone(const InsertionModel& model, InsertionState& state, ContactSet& co
 {
   setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, contacts.height);
   placeLaterTurnsBehind(state.track, contacts.height);
-  setNearPlane(model, state, contacts);
-  forEachNode(contacts.isNearPlane, 1, [&](std::size_t i) {
+  std::ranges::copy(state.isBeside, contacts.isBeside.begin());
+  setNearPlane(model, contacts);
+  forEachNode(contacts.isNearPlane, yes, [&](std::size_t i) {
     const double height = contacts.height[i];
     const double radius = model.radius[i];
     const bool isFar = height < -radius || height > farthestOutside;
     if (isFar && state.isBeside[i] == 0) return;
-    if (height > 0.0) state.isBeside[i] = 0;
+    if (height > 0.0) contacts.isBeside[i] = state.isBeside[i] = 0;
     // a node farther inside keeps the state it had when it passed the plane
     if (isFar || state.isBeside[i] != 0) return;
     const bool isInside = height <= 0.0;
@@ -211,7 +209,8 @@ void findBone(const InsertionModel& model, InsertionState& state, ContactSet& co
     // the plane also intersects other turns of the duct; before the first turn there is no wall
     const double turned = track.angle - start.angle;
     const bool isElsewhere = turned < -farthestTurn || (!isInside && turned > farthestTurn);
-    if (isElsewhere || (wall.isNear && wall.distance < -radius)) state.isBeside[i] = 1;
+    if (isElsewhere || (wall.isNear && wall.distance < -radius))
+      contacts.isBeside[i] = state.isBeside[i] = 1;
   });
 }
 
@@ -219,14 +218,15 @@ void keepClearance(ContactSet& contacts, InsertionState& state) noexcept
 {
   inLanesInPlace(0, state.clearance.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    using F = decltype(flagsAt(lane, contacts.isKnown, i));
-    const F isFree = opposite(flagsAt(lane, state.isBeside, i));
-    const F isKnown = flagsAt(lane, contacts.isKnown, i);
+    const auto isFree = load<T>(contacts.isBeside, i) == no;
+    const auto isKnown = load<T>(contacts.isKnown, i) == yes;
+    const auto isNear = load<T>(contacts.isNear, i) == yes;
     const T left = load<T>(state.clearance, i) - root(load<T>(contacts.squaredMotion, i));
-    store(T(oneOf(whereSet(F(isFree & opposite(isKnown))), left, T{})), state.clearance, i);
-    store(F(isFree & isKnown & opposite(flagsAt(lane, contacts.isNear, i))), contacts.isDistant, i);
+    store(oneOf(isFree, oneOf(isKnown, T{}, left), T{}), state.clearance, i);
+    store(oneOf(isFree, oneOf(isKnown, oneOf(isNear, T{}, T(T{} + yes)), T{}), T{}),
+          contacts.isDistant, i);
   });
-  forEachNode(contacts.isDistant, 1, [&](std::size_t i) {
+  forEachNode(contacts.isDistant, yes, [&](std::size_t i) {
     const double since = (state.position_W[i] - contacts.seen.from_W[i]).norm();
     state.clearance[i] = std::max(contacts.wall[i].clearance - since, 0.0);
   });

@@ -201,17 +201,16 @@ void setMayTouch(const InsertionModel& model, bool isOpen, const FrictionHistory
                  ContactSet& contacts) noexcept
 {
   if (isOpen) {
-    std::ranges::fill(contacts.mayTouch, 1);
+    std::ranges::fill(contacts.mayTouch, yes);
     return;
   }
   inLanes(0, contacts.mayTouch.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
-    using F = decltype(flagsAt(lane, contacts.isNear, i));
-    const F isNear = flagsAt(lane, contacts.isNear, i);
-    const F wasPressed = flagsOf(load<T>(history.pressedBefore, i) > 0.0);
-    const T penetration = load<T>(model.radius, i) - load<T>(contacts.distance, i);
-    const F reaches = model.isOval ? isNear : F(isNear & flagsOf(penetration > 0.0));
-    store(F(reaches | wasPressed), contacts.mayTouch, i);
+    const auto isNear = load<T>(contacts.isNear, i) == yes;
+    const auto wasPressed = load<T>(history.pressedBefore, i) > 0.0;
+    const auto isAway = load<T>(model.radius, i) <= load<T>(contacts.distance, i);
+    store(flagsOf<T>(wasPressed | (model.isOval ? isNear : isNear & (isAway == 0))),
+          contacts.mayTouch, i);
   });
 }
 
@@ -263,14 +262,14 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
   const bool isOpen = state.partition.isRuptured();
   removeContacts(model.isOval, contacts, state, history);
   setMayTouch(model, isOpen, history, contacts);
-  forEachNode(contacts.mayTouch, 1, [&](std::size_t i) {
+  forEachNode(contacts.mayTouch, yes, [&](std::size_t i) {
     const bool hasFriction = history.pressedBefore[i] > 0.0;
     TouchingNode& touching = contacts.touching[contacts.touches];
     touching.node = i;
     touching.isPressed = false;
     if (isOpen && contacts.open[i].isOpen)
       touching.isPressed = openContact(model, state, rod, i, contacts);
-    else if (contacts.isNear[i] != 0)
+    else if (contacts.isNear[i] == yes)
       normalContact(model, state, rod, i, contacts, touching);
     if (hasFriction) friction(model, state, start, touching, history);
     if (!touching.isPressed && !hasFriction) return;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "friction/FrictionStep.h"
+#include "lanes/Flags.h"
 #include "lanes/Lanes.h"
 #include "perilymph/anatomy/Lumen.h"
 #include "perilymph/mechanics/InsertionState.h"
@@ -68,12 +69,13 @@ struct OpenNode {
   SymmetricBlock<double> stiffness;  ///< Stiffness of its contact [N/m].
 };
 
-/// The contacts of the current iteration. `seen` and `wall` are kept between steps. Flags are 0 or 1.
+/// The contacts of the current iteration. `seen` and `wall` are kept between steps.
 struct ContactSet {
   explicit ContactSet(std::size_t nodes = 0)
       : reach(nodes),
         height(nodes),
         squaredMotion(nodes),
+        isBeside(nodes),
         isRequested(nodes),
         isKnown(nodes),
         isNear(nodes),
@@ -91,17 +93,18 @@ struct ContactSet {
   {
   }
 
-  std::vector<double> reach;               ///< Reach of the lumen query at each node [m].
-  std::vector<double> height;              ///< Height of each node above the opening [m].
-  std::vector<double> squaredMotion;       ///< Squared motion of each node in this step [m^2].
-  std::vector<unsigned char> isRequested;  ///< Whether the lumen was queried for each node.
-  std::vector<unsigned char> isKnown;      ///< Whether the wall was found in this step.
-  std::vector<unsigned char> isNear;       ///< Whether the wall is within reach of each node.
-  std::vector<unsigned char> isFollowed;   ///< Whether `seen` or the clearance told that.
-  std::vector<unsigned char> isDistant;    ///< Whether the lumen told how far the wall is.
-  std::vector<unsigned char> isNearPlane;  ///< Whether each node is near the plane of the opening.
-  std::vector<unsigned char> mayTouch;  ///< Whether each node is pressed, or its section must tell.
-  SeenWalls seen;                       ///< What the lumen was found to be.
+  std::vector<double> reach;          ///< Reach of the lumen query at each node [m].
+  std::vector<double> height;         ///< Height of each node above the opening [m].
+  std::vector<double> squaredMotion;  ///< Squared motion of each node in this step [m^2].
+  Flags isBeside;                     ///< InsertionState::isBeside.
+  Flags isRequested;                  ///< Whether the lumen was queried for each node.
+  Flags isKnown;                      ///< Whether the wall was found in this step.
+  Flags isNear;                       ///< Whether the wall is within reach of each node.
+  Flags isFollowed;                   ///< Whether `seen` or the clearance told that.
+  Flags isDistant;                    ///< Whether the lumen told how far the wall is.
+  Flags isNearPlane;                  ///< Whether each node is near the plane of the opening.
+  Flags mayTouch;                     ///< Whether each node is pressed, or its section must tell.
+  SeenWalls seen;                     ///< What the lumen was found to be.
   std::vector<anatomy::WallPoint> wall;  ///< The last answer of the lumen for each node.
   std::vector<double> distance;          ///< That of the wall, if it is near [m] ...
   Axes normal_W;                         ///< ... and its gradient.
@@ -120,7 +123,7 @@ struct ContactSet {
 inline anatomy::WallPoint wallAt(const ContactSet& contacts, std::size_t i) noexcept
 {
   anatomy::WallPoint wall = contacts.wall[i];
-  wall.isNear = contacts.isNear[i] != 0;
+  wall.isNear = contacts.isNear[i] == yes;
   wall.distance = contacts.distance[i];
   wall.normal_W = contacts.normal_W[i];
   return wall;

@@ -75,7 +75,7 @@ void remember(InsertionState& state, bool isOval, RodWorkspace& work) noexcept
   work.start.position_W = state.position_W;
   work.friction.pressedBefore = state.normalForce;
   work.friction.normalBefore_W = state.wallNormal_W;
-  std::fill(work.contacts.isKnown.begin(), work.contacts.isKnown.end(), 0);
+  std::ranges::fill(work.contacts.isKnown, no);
   if (isOval)
     for (SectionReach& section : work.contacts.section) section.isKnown = false;
   work.friction.rimPressedBefore = state.rim.normalForce;

@@ -96,7 +96,7 @@ TEST_P(StoredRecordingsOnMachines, AndAnInsertionThatRelaxesAndYieldsHaveTheSame
 
 constexpr std::array names{"WithSse2", "WithAvx2", "WithAvx512"};
 INSTANTIATE_TEST_SUITE_P(, StoredRecordingsOnMachines,
-                         testing::Values(mechanics::Instructions::sse2,
+                         testing::Values(mechanics::Instructions::everywhere,
                                          mechanics::Instructions::avx2,
                                          mechanics::Instructions::avx512),
                          [](const auto& one) {

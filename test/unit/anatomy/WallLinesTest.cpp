@@ -65,7 +65,7 @@ TEST(WallLinesOfASection, HaveTheSameBitsWithEveryInstructionSet)
   for (const double angle_deg : {0.0, 95.0, 400.0, 720.0}) {
     const WallLines lines(*scala, degrees(angle_deg).si());
     std::vector<double> expected(u.size() * v.size()), found(expected.size());
-    kernelInstructions = Instructions::sse2;
+    kernelInstructions = Instructions::everywhere;
     lines.distances(u, v, expected.data());
     kernelInstructions = machineInstructions();
     lines.distances(u, v, found.data());

@@ -131,7 +131,7 @@ TEST_P(Lanes, MoveEveryNodeAsAlone)
 
 constexpr std::array names{"Sse2", "Avx2", "Avx512"};
 INSTANTIATE_TEST_SUITE_P(Instructions, Lanes,
-                         testing::Values(Instructions::sse2, Instructions::avx2,
+                         testing::Values(Instructions::everywhere, Instructions::avx2,
                                          Instructions::avx512),
                          [](const auto& one) {
                            return names.at(static_cast<std::size_t>(one.param));

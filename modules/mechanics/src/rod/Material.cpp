@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rod/Material.h"
 
-#include <emmintrin.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -269,13 +267,14 @@ void solveTurns(std::size_t last, TwistSystem& turns) noexcept
   for (std::size_t j = first + 1; j <= end; ++j)
     turns.turn[j] = limited(turns.torque[j] - turns.beside[j] * turns.turn[j - 1]);
 
-  const Pair highest{maxTurn, maxTurn};
+  const Pair highest{maxTurn, maxTurn}, lowest = -highest;
   Pair turn{turns.turn[first], turns.turn[end]};
   for (std::size_t k = steps; k-- > 0;) {
     const std::size_t base = 1 + k, tip = last - k;
     turn = Pair{turns.torque[base], turns.torque[tip]} -
            Pair{turns.beside[base + 1], turns.beside[tip]} * turn;
-    turn = _mm_min_pd(highest, _mm_max_pd(-highest, turn));
+    turn = lowest > turn ? lowest : turn;
+    turn = highest < turn ? highest : turn;
     turns.turn[base] = turn[0], turns.turn[tip] = turn[1];
   }
 }

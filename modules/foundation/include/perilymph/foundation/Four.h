@@ -3,8 +3,8 @@
 
 // Four numbers at a time. A kernel is written once, for T = double or T = Four: the same operations in
 // the same order, so that the bits do not depend on how many numbers are computed together, nor on the
-// instructions that the machine has: SSE2, AVX2 or AVX-512, none with fused multiply-add. AVX-512 has
-// twice the registers; kernels use no lanes wider than four.
+// instructions that the machine has, none with fused multiply-add: on x86-64 SSE2, AVX2 or AVX-512, which
+// has twice the registers; elsewhere those of the rest of the program. Kernels use no lanes wider than four.
 
 #include <cstddef>
 #include <cstring>
@@ -22,19 +22,24 @@ namespace perilymph {
 
 using Four [[gnu::vector_size(32)]] = double;
 
-/// Instructions for which kernels are compiled; each has all of those before it.
-enum class Instructions { sse2, avx2, avx512 };
+/// Instructions for which kernels are compiled; each has all of those before it. The first are those of the
+/// rest of the program, of x86-64 SSE2.
+enum class Instructions { everywhere, avx2, avx512 };
 
 /// The last that this machine has.
 inline Instructions machineInstructions() noexcept
 {
+#ifdef __x86_64__
   if (__builtin_cpu_supports("avx512vl") != 0) return Instructions::avx512;
-  return __builtin_cpu_supports("avx2") != 0 ? Instructions::avx2 : Instructions::sse2;
+  if (__builtin_cpu_supports("avx2") != 0) return Instructions::avx2;
+#endif
+  return Instructions::everywhere;
 }
 
 /// Those that kernels use. Tests set it, to compare the bits.
 inline Instructions kernelInstructions = machineInstructions();
 
+#ifdef __x86_64__
 template <class Function>
 [[gnu::target("avx2")]] void callWithAvx2(const Function& function) noexcept
 {
@@ -46,17 +51,17 @@ template <class Function>
 {
   function();
 }
+#endif
 
 /// Calls a function that computes with lanes itself, compiled for the instructions of kernels.
 template <class Function>
 PERILYMPH_IN_LANES void withLanes(const Function& function) noexcept
 {
-  if (kernelInstructions == Instructions::avx512)
-    callWithAvx512(function);
-  else if (kernelInstructions == Instructions::avx2)
-    callWithAvx2(function);
-  else
-    function();
+#ifdef __x86_64__
+  if (kernelInstructions == Instructions::avx512) return callWithAvx512(function);
+  if (kernelInstructions == Instructions::avx2) return callWithAvx2(function);
+#endif
+  function();
 }
 
 template <class T>

@@ -334,6 +334,13 @@ void defineCochlea(py::module_& module)
           "lead_in_mm", [](const BuiltCochlea& one) { return inMillimeters(one.scala->leadIn()); },
           "Straight length before the round window [mm]. An insertion has that of its scenario in "
           "place of it, unless the cochlea is one of_scenario().")
+      .def_property_readonly(
+          "_scenario_lead_in_mm",
+          [](const BuiltCochlea& one) -> std::optional<double> {
+            if (!one.isOfScenario) return std::nullopt;
+            return inMillimeters(one.cochlea.leadIn);
+          },
+          "That of its scenario; None of any other cochlea.")
       .def("axis", &axis, py::arg("angle_deg"),
            "Centers of the sections at angles of shape (...): points (..., 3) [mm].")
       .def("wall", &wall, py::arg("angle_deg"), py::arg("around_deg"), py::kw_only(),

@@ -387,6 +387,9 @@ void defineInsertion(py::module_& module)
           [](Stepped& one, double to_mm) {
             constexpr double longest_mm = 100.0;  // beyond every array
             numberOf(to_mm, "to_mm", "mm", 0.0, longest_mm);
+            const electrode::ArrayDesign& array = one.scenario().array();
+            if (!array.hasStylet)
+              throw EngineError("The array " + array.name + " has no stylet to be pulled.");
             Stepped::addCommand(one.content(), Command::Kind::pullStylet, millimeters(to_mm).si());
           },
           py::arg("to_mm"),

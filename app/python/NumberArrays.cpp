@@ -40,6 +40,8 @@ py::array ownedArray(std::vector<Value> values, std::vector<py::ssize_t> shape)
 NumberArray numbersOf(const py::object& given, const char* name, const char* unit, double low,
                       double high)
 {
+  if (py::hasattr(given, "mask") && py::hasattr(given, "filled"))
+    throw py::type_error(std::string(name) + " must not be masked: use compressed() or filled()");
   const py::array array = py::array::ensure(given);
   if (!array) {
     PyErr_Clear();

@@ -25,6 +25,21 @@ py::bytes bytesOf(const py::object& values)
   return py::module_::import("perilymph._tables").attr("bytes_of")(values);
 }
 
+const py::array& locked(const py::array& values)
+{
+  values.attr("setflags")(py::arg("write") = false);
+  return values;
+}
+
+const py::dict& locked(const py::dict& columns)
+{
+  for (const auto& [name, values] : columns)
+    if (py::isinstance<py::array>(values)) locked(py::reinterpret_borrow<py::array>(values));
+  return columns;
+}
+
+py::dict ownDict(const py::dict& columns) { return columns.attr("copy")(); }
+
 py::dict copied(const py::dict& columns)
 {
   return py::module_::import("copy").attr("deepcopy")(columns);

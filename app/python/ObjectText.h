@@ -3,6 +3,7 @@
 
 // How objects compare and show themselves in Python.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,12 +32,29 @@ void defineIdentity(py::class_<Class, Options...>& kind, const Identity& identit
           py::arg("other"), "Whether all values are the same.")
       .def(
           "__hash__", [identity](const Class& one) { return py::hash(py::bytes(identity(one))); },
-          "Equal objects have the same.");
+          "Equal objects have the same.")
+      .def(
+          "__reduce_ex__",
+          [](const py::object& one, int protocol) {
+            // the first two protocols make an object without its class
+            constexpr int first = 2;
+            return py::module_::import("builtins")
+                .attr("object")
+                .attr("__reduce_ex__")(one, std::max(protocol, first));
+          },
+          py::arg("protocol"));
 }
 
 /// What the values of an object say, as bytes: of a tuple, dict, array, text or number, the same for equal
 /// ones only.
 py::bytes bytesOf(const py::object& values);
+
+/// Makes the arrays of a dict read-only: those of an object that is compared and hashed by them.
+const py::dict& locked(const py::dict& columns);
+const py::array& locked(const py::array& values);
+
+/// A dict that is the caller's own, with the same values.
+py::dict ownDict(const py::dict& columns);
 
 /// Columns that are the caller's own: with copies of the arrays.
 py::dict copied(const py::dict& columns);

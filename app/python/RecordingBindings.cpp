@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, std::string>> figuresOf(const Recording& one)
     return figures::fixed(one.highlights[key].cast<double>() * factor, digits) + unit;
   };
   return {{"deepest", figure("deepest_mm", 1.0, 2, " mm")},
-          {"angular insertion depth", figure("deepest_angle_deg", 1.0, 0, " deg")},
+          {"angle of the tip", figure("deepest_angle_deg", 1.0, 0, " deg")},
           {"peak insertion force", figure("peak_force_N", 1e3, 1, " mN")}};
 }
 
@@ -130,18 +130,21 @@ std::string fingerprintText(std::uint64_t fingerprint)
 void defineRecording(py::module_& module)
 {
   py::class_<Recording> kind(module, "Recording", "A recorded insertion (.insertion).");
-  kind.def_readonly("columns", &Recording::columns,
-                    "Columns of shape (n,) by name with unit, as Simulation.columns.")
+  kind.def_property_readonly(
+          "columns", [](const Recording& one) { return ownDict(locked(one.columns)); },
+          "Columns of shape (n,) by name with unit, as Simulation.columns.")
       .def(
           "to_pandas", [](const Recording& one) { return dataFrameOf(one.columns); },
           "The columns as a pandas DataFrame.")
-      .def_readonly("facts", &Recording::facts,
-                    "What was recorded: 'scenario_name', 'scenario_text', 'device', 'time_step_s', "
-                    "'device_delay_s', 'seed', 'model_fingerprint', 'version', 'build_id', "
-                    "'started_utc'.")
-      .def_readonly("highlights", &Recording::highlights,
-                    "Key figures: 'ticks', 'duration_s', 'deepest_mm', 'deepest_angle_deg', "
-                    "'peak_force_N', 'peak_travel_mm', 'peak_depth_mm'.")
+      .def_property_readonly(
+          "facts", [](const Recording& one) { return copied(one.facts); },
+          "What was recorded: 'scenario_name', 'scenario_text', 'device', 'time_step_s', "
+          "'device_delay_s', 'seed', 'model_fingerprint', 'version', 'build_id', "
+          "'started_utc'.")
+      .def_property_readonly(
+          "highlights", [](const Recording& one) { return copied(one.highlights); },
+          "Key figures: 'ticks', 'duration_s', 'deepest_mm', 'deepest_angle_deg', "
+          "'peak_force_N', 'peak_travel_mm', 'peak_depth_mm'.")
       .def_readonly("end", &Recording::end, "How it ended, as Simulation.end.")
       .def_readonly("lost_ticks", &Recording::lostTicks, "Ticks that ran but are not in the file.")
       .def_readonly("was_closed", &Recording::wasClosed,
@@ -177,7 +180,7 @@ void defineRecording(py::module_& module)
             return htmlTable(one.facts["scenario_name"].cast<std::string>(), rows);
           },
           "A table of its key figures for notebooks.");
-  defineMapping(kind, [](const Recording& one) { return one.columns; });
+  defineMapping(kind, [](const Recording& one) { return locked(one.columns); });
   defineIdentity(kind,
                  [](const Recording& one) { return std::string(bytesOf(recordingState(one))); });
 

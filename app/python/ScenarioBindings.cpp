@@ -32,6 +32,14 @@ public:
         if (!py::isinstance<py::str>(key)) throw py::type_error("keys of overrides must be text");
         add(key.cast<std::string>(), py::reinterpret_borrow<py::object>(value));
       }
+      if (cochlea_ && values.contains("patient"))
+        throw EngineError(
+            "A patient and a cochlea are given; the cochlea is of a patient. Give one of them.");
+      if (cochlea_ && values.contains("anatomy"))
+        throw EngineError(
+            "An anatomy and a cochlea are given; the cochlea is of an anatomy. Give one of them.");
+      // what is said by its key counts, in whatever order
+      overrides_.insert(overrides_.end(), own_.begin(), own_.end());
     } catch (...) {
       removeFiles();
       throw;
@@ -69,10 +77,12 @@ private:
       overrides_.emplace_back(key, arrayNameOf(value, "array"));
     } else if (py::hasattr(value, "scenario_values")) {
       require(key, "friction", "a Friction");
-      for (const auto& [each, number] : value.attr("scenario_values")().cast<py::dict>())
-        add(each.cast<std::string>(), py::reinterpret_borrow<py::object>(number));
+      for (const auto& [each, number] : value.attr("scenario_values")().cast<py::dict>()) {
+        const auto name = each.cast<std::string>();
+        overrides_.emplace_back(name, textFor(name, py::reinterpret_borrow<py::object>(number)));
+      }
     } else {
-      overrides_.emplace_back(key, textFor(key, value));
+      own_.emplace_back(key, textFor(key, value));
     }
   }
 
@@ -119,7 +129,7 @@ private:
     overrides_.emplace_back("patient", file.string());
     patientFile_ = file.string();
     for (const char each : patient.label)  // as text in a scenario's file
-      if (each != '"' && each != '\\' && static_cast<unsigned char>(each) >= 0x20)
+      if (each != '"' && each != '\\' && static_cast<unsigned char>(each) >= 0x20 && each != 0x7f)
         patientLabel_ += each;
   }
 
@@ -150,7 +160,8 @@ private:
     files_.clear();
   }
 
-  Overrides overrides_;
+  Overrides overrides_;  ///< What objects say, then what is said by its own key.
+  Overrides own_;
   std::optional<anatomy::Cochlea> cochlea_;
   std::string patientFile_, patientLabel_;
   std::vector<std::filesystem::path> files_;  ///< Folders with names and measures of patients.
@@ -252,7 +263,13 @@ void defineScenario(py::module_& module)
           "The scenario as run (TOML): read again anywhere, it gives the same insertion, bit for "
           "bit.")
       .def_property_readonly(
-          "notes", [](const Scenario& one) { return textsOf(one.notes()); },
+          "notes",
+          [](const Scenario& one) {
+            std::vector<std::string> notes = one.notes();
+            if (const std::string note = noteOn(one.patient()); !note.empty())
+              notes.push_back(note);
+            return textsOf(notes);
+          },
           "Sentences for the user.")
       .def_property_readonly("files", &filesOf, "All files it was read from.")
       .def_property_readonly(
@@ -306,8 +323,13 @@ void defineScenario(py::module_& module)
           },
           [](const py::tuple& state) {
             const auto text = state[0].cast<std::string>(), name = state[1].cast<std::string>();
-            return valueOf(
-                withoutLock([&] { return session::parseScenario(text, name + ".toml"); }));
+            Scenario one =
+                valueOf(withoutLock([&] { return session::parseScenario(text, name + ".toml"); }));
+            if (one.arrayFingerprint() != one.expectedArrayFingerprint())
+              throw EngineError("The file of the array " + one.array().name +
+                                " was changed since the scenario " + name +
+                                " was read. Read the scenario again.");
+            return one;
           }))
       .def("__repr__",
            [](const Scenario& one) {

@@ -169,9 +169,10 @@ void defineSimulation(py::module_& module)
 {
   py::class_<Simulation> kind(
       module, "Simulation", "A simulated insertion: columns, key figures and shapes of the array.");
-  kind.def_readonly("columns", &Simulation::columns,
-                    "Columns of shape (n,) by name with unit, those of 'perilymph-cli simulate "
-                    "--csv': 'time_s', 'depth_mm', 'force_axial_N', ...")
+  kind.def_property_readonly(
+          "columns", [](const Simulation& one) { return ownDict(locked(one.columns)); },
+          "Columns of shape (n,) by name with unit, those of 'perilymph-cli simulate "
+          "--csv': 'time_s', 'depth_mm', 'force_axial_N', ...")
       .def(
           "to_pandas", [](const Simulation& one) { return dataFrameOf(one.columns); },
           "The columns as a pandas DataFrame.")
@@ -200,19 +201,24 @@ void defineSimulation(py::module_& module)
                     "'out_of_opening', 'folded_tip', 'jammed' or 'none'.")
       .def_readonly("end_clause", &Simulation::endClause,
                     "The same as a clause without a subject: 'buckled in front of the opening'.")
-      .def_readonly("summary", &Simulation::summary,
-                    "Key figures and the scenario as run, as in 'perilymph-cli simulate --json'.")
-      .def_readonly("nodes_mm", &Simulation::nodes_mm,
-                    "The array at the end, shape (nodes, 3) [mm], base first, tip last.")
-      .def_readonly("shapes_mm", &Simulation::shapes_mm,
-                    "The array where the tip first passed each of the depths asked for, shape "
-                    "(depths, nodes, 3) [mm]; NaN where it did not.")
-      .def_readonly("shape_depths_mm", &Simulation::shapeDepths_mm,
-                    "Depths of those shapes, shape (depths,) [mm].")
-      .def_readonly("contacts", &Simulation::contacts,
-                    "The contacts at the end, from the tip, as columns of shape (contacts,): "
-                    "'number', 'is_inserted', 'depth_mm', 'angle_deg', 'coverage_percent', "
-                    "'frequency_Hz', 'to_modiolus_mm'; NaN for contacts that are not inserted.")
+      .def_property_readonly(
+          "summary", [](const Simulation& one) { return copied(one.summary); },
+          "Key figures and the scenario as run, as in 'perilymph-cli simulate --json'.")
+      .def_property_readonly(
+          "nodes_mm", [](const Simulation& one) { return locked(one.nodes_mm); },
+          "The array at the end, shape (nodes, 3) [mm], base first, tip last.")
+      .def_property_readonly(
+          "shapes_mm", [](const Simulation& one) { return locked(one.shapes_mm); },
+          "The array where the tip first passed each of the depths asked for, shape "
+          "(depths, nodes, 3) [mm]; NaN where it did not.")
+      .def_property_readonly(
+          "shape_depths_mm", [](const Simulation& one) { return locked(one.shapeDepths_mm); },
+          "Depths of those shapes, shape (depths,) [mm].")
+      .def_property_readonly(
+          "contacts", [](const Simulation& one) { return ownDict(locked(one.contacts)); },
+          "The contacts at the end, from the tip, as columns of shape (contacts,): "
+          "'number', 'is_inserted', 'depth_mm', 'angle_deg', 'coverage_percent', "
+          "'frequency_Hz', 'to_modiolus_mm'; NaN for contacts that are not inserted.")
       .def_property_readonly(
           "scenario", [](const Simulation& one) { return one.scenario; }, "The scenario as run.")
       .def("__repr__", [](const Simulation& one) {
@@ -220,7 +226,7 @@ void defineSimulation(py::module_& module)
         for (const auto& [name, value] : figuresOf(one)) text += ", " + name + ' ' + value;
         return textOf(text + '>');
       });
-  defineMapping(kind, [](const Simulation& one) { return one.columns; });
+  defineMapping(kind, [](const Simulation& one) { return locked(one.columns); });
   defineIdentity(kind,
                  [](const Simulation& one) { return std::string(bytesOf(simulationState(one))); });
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <charconv>
+#include <limits>
 #include <set>
 #include <stop_token>
 
@@ -30,8 +32,13 @@ struct Study {
 py::array settingColumn(const std::vector<std::string>& texts)
 {
   std::vector<double> numbers;
+  const bool areAllEmpty = std::ranges::all_of(texts, &std::string::empty);
   for (const std::string& text : texts) {
-    double number = 0.0;
+    double number = std::numeric_limits<double>::quiet_NaN();
+    if (text.empty() && !areAllEmpty) {
+      numbers.push_back(number);
+      continue;
+    }
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || end != text.data() + text.size()) return arrayOf(texts);
     numbers.push_back(number);
@@ -96,6 +103,8 @@ Study readStudy(const py::object& given)
   study.seal = nameOf(facts.seal);
   study.program = facts.program;
   study.notes = facts.notes;
+  if (const std::string note = noteOn(facts.seal); !note.empty())
+    study.notes.insert(study.notes.begin(), note);
   study.columns = columnsOf(read);
   return study;
 }
@@ -224,6 +233,7 @@ void defineStudy(py::module_& module)
              std::string text = "<perilymph.Study '" + one.title +
                                 "': " + std::to_string(sizeOf(one)) + " insertions";
              for (const auto& [ending, count] : endingsOf(one)) text += ", " + count + ' ' + ending;
+             if (one.seal == nameOf(Seal::changed)) text += ", changed by hand";
              return textOf(text + '>');
            })
       .def(

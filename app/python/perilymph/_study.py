@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A study from Python objects, run in this process."""
 
+import copy
 import fcntl
 import hashlib
 import json
@@ -98,8 +99,15 @@ def _run(place, scenario, head, vary, ranges, cochleae, mean, patients, contacts
         head["scenario"] = kept.scenario(scenario)
         varied = {key: [kept.value(key, each) for each in _list(key, values)] for key, values in dict(vary or {}).items()}
         files = []
+        texts = {}
+        lead_in_mm = (scenario if isinstance(scenario, Scenario) else read_scenario(scenario))["lead_in_mm"]
         for number, given in enumerate(patients, 1):
             patient = given.patient if isinstance(given, Cochlea) else given if isinstance(given, Patient) else read_patient(given)
+            if isinstance(given, Cochlea) and given._scenario_lead_in_mm not in (None, lead_in_mm):
+                raise Error(f"The cochlea of {patient.label} has a lead-in of {given._scenario_lead_in_mm:g} mm, that of its scenario; the study's scenario "
+                            f"has {lead_in_mm:g} mm. Give its patient, or a study with that lead_in_mm.")
+            if (before := texts.setdefault(patient.text, number)) != number:
+                raise Error(f"The patients {before} and {number} are the same. Leave one out.")
             files.append(f"patients/{number}.toml")
             former.write(files[-1], patient.text)
         text = "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in head.items())
@@ -148,7 +156,7 @@ class _Kept:
             if name in scenarios():
                 return name
             given = read_scenario(given)
-        text = given.text
+        text = copy.copy(given).text  # refused if the file of its array was changed
         for key in self._SHIPPED:
             if key in given:
                 text = text.replace(f"{key} = {json.dumps(given[key], ensure_ascii=False)}\n",

@@ -22,6 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Finest spacing of a force over depth that is kept: finer than any tick moves (choice, high).
+constexpr double finestProfile_mm = 0.001;
+
 /// Keys of a scenario that a study does not vary, and why.
 struct FixedKey {
   std::string_view key, remedy;
@@ -109,7 +112,13 @@ Result<Study> StudyReader::read()
   static constexpr std::array depths{Choice<bool>{true, "full"}, Choice<bool>{false, "scenario"}};
   study_.isFullDepth_ = reader_.choice("depth", depths, true);
   TomlReader results = reader_.table("results");
-  study_.profileSpacing_ = millimeters(results.number("profile_spacing_mm", {0.0, 10.0}, 0.0));
+  const double spacing_mm = results.number("profile_spacing_mm", {0.0, 10.0}, 0.0);
+  if (spacing_mm > 0.0 && spacing_mm < finestProfile_mm)
+    results.refuse("profile_spacing_mm",
+                   "'results.profile_spacing_mm' is " + session::shortestDecimal(spacing_mm) +
+                       "; it must be 0, for none, or " +
+                       session::shortestDecimal(finestProfile_mm) + " to 10 mm.");
+  study_.profileSpacing_ = millimeters(spacing_mm);
   study_.keepsContacts_ = results.flag("contacts", false);
   hash_.add(study_.text_);
   if (const auto done = readCochleae(); !done) return done.error();
@@ -220,6 +229,14 @@ Result<void> StudyReader::readSamples()
     if (ends.size() != 2)
       table.refuse(key,
                    "'ranges." + key + "' must be the lower and the upper end, such as [0.2, 2.0].");
+    const bool isListed =
+        std::ranges::any_of(study_.combinations_, [&](const session::Overrides& overrides) {
+          return std::ranges::any_of(overrides,
+                                     [&](const auto& each) { return each.first == key; });
+        });
+    if (isListed)
+      table.refuse(key,
+                   "'" + key + "' has values in [ranges] and in [vary] or [[case]]. Remove one.");
     if (ends.size() == 2) study_.ranges_.push_back({key, ends[0], ends[1]});
   }
   if (study_.ranges_.empty() && study_.samples_ > 1)
@@ -289,6 +306,8 @@ Result<void> StudyReader::checkCombinations()
                                    .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     hash_.add(without(scenario->text(), folder.substr(1, folder.size() - 2)));
     if (isScaledBy(scenario->anatomy(), scenario->patient())) isOfPatient = true;
+    for (const std::string& note : scenario->notes())
+      if (!std::ranges::count(study_.notes_, note)) study_.notes_.push_back(note);
     noteFileValues(overrides, *scenario);
     for (const fs::path& named : scenario->files()) study_.files_[named];
     study_.scenarios_.push_back(*std::move(scenario));

@@ -68,7 +68,8 @@ std::vector<std::string> shownLevels(const std::vector<StudyFileValue>& files,
                                      const StudyFactor& factor)
 {
   std::vector<std::string> names;
-  for (const std::string& level : factor.levels) names.push_back(nameIn(files, factor.key, level));
+  for (const std::string& level : factor.levels)
+    names.push_back(level.empty() ? "as in the scenario" : nameIn(files, factor.key, level));
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < names.size(); ++i)
     shown.push_back(std::ranges::count(names, names[i]) == 1 ? names[i] : factor.levels[i]);

@@ -50,7 +50,7 @@ BuiltCochlea buildCochlea(const Study& study, std::size_t index)
     return built;
   }
   built.anatomy = *anatomy;
-  const analysis::BasalDiameters basal = analysis::basalDiameters(**anatomy);
+  const analysis::BasalDiameters basal = analysis::basalDiameters(**anatomy, parameters->cochlea);
   built.a_mm = inMillimeters(basal.a);
   built.b_mm = inMillimeters(basal.b);
   built.scalaLength_mm = inMillimeters(analysis::organOfCortiLength(**anatomy));

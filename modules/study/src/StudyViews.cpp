@@ -24,9 +24,11 @@ constexpr ColumnMeaning columnMeanings[] = {
      "'folded_tip', 'jammed', 'fault', 'refused', or 'none': not ended within twice its time"},
     {"insertion", "reason", "", "Why it is 'fault' or 'refused'; else empty"},
     {"insertion", "A_mm", "mm",
-     "Diameter A of the basal turn of the cochlea as built; 0 if it was not"},
+     "Diameter A of the basal turn, as a patient states it or else of the cochlea as built; 0 if "
+     "none was built"},
     {"insertion", "B_mm", "mm",
-     "Diameter B of the basal turn of the cochlea as built; 0 if it was not"},
+     "Diameter B of the basal turn, as a patient states it or else of the cochlea as built; 0 if "
+     "none was built"},
     {"insertion", "st_length_mm", "mm", "Length of the scala tympani along the organ of Corti"},
     {"insertion", "depth_mm", "mm",
      "Insertion depth at the end: length of the array past the opening"},
@@ -50,7 +52,7 @@ constexpr ColumnMeaning columnMeanings[] = {
     {"contact", "number", "", "Number of the insertion"},
     {"contact", "contact", "", "Number of the electrode contact, 1 at the tip"},
     {"contact", "is_inserted", "", "1 if it is past the opening, else 0"},
-    {"contact", "angle_deg", "deg", "Angle from the round window"},
+    {"contact", "angle_deg", "deg", "Angle from the round window; 0 of one outside"},
     {"contact", "depth_mm", "mm", "Length along the array past the opening; negative outside"},
     {"contact", "to_modiolus_mm", "mm",
      "Distance from the center line of the array to the inner wall; negative where no wall is in "
@@ -163,18 +165,33 @@ std::string with(std::string text, const std::string& part, const std::string& o
   return text.replace(text.find(part), part.size(), other);
 }
 
-/// The dictionaries of earlier versions: without what files say, and before that without views and the ending
-/// 'none'.
+/// A dictionary with the meanings that A, B and the angle of a contact had in earlier versions.
+std::string withFormerMeanings(std::string view)
+{
+  for (const char* name : {"A", "B"})
+    view = with(std::move(view),
+                std::string("Diameter ") + name +
+                    " of the basal turn, as a patient states it or else of the cochlea as built; 0 "
+                    "if none was built",
+                std::string("Diameter ") + name +
+                    " of the basal turn of the cochlea as built; 0 if it was not");
+  return with(std::move(view), "Angle from the round window; 0 of one outside",
+              "Angle from the round window");
+}
+
+/// The dictionaries of earlier versions: with other meanings, before that without what files say, and before
+/// that without views and the ending 'none'.
 std::vector<std::string> formerDictionaryViews()
 {
   const auto ofVersion4 = [](std::span<const ColumnMeaning> meanings) {
     std::vector<ColumnMeaning> rows;
     for (const ColumnMeaning& each : meanings)
       if (std::string_view(each.table) != "file_value") rows.push_back(each);
-    return with(dictionaryView(rows),
+    return with(withFormerMeanings(dictionaryView(rows)),
                 "''files'' (what files say that settings name, as JSON; see file_value), ", "");
   };
-  return {with(ofVersion4(columnMeanings),
+  return {withFormerMeanings(dictionaryView(columnMeanings)),
+          with(ofVersion4(columnMeanings),
                "; of the file that it names also ''array_name'', ''friction_static'', "
                "''friction_dynamic''",
                ""),

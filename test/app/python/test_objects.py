@@ -562,3 +562,113 @@ def test_a_study_that_is_refused_leaves_the_files_of_the_one_before(tmp_path):
     with pytest.raises(perilymph.Error, match="'stiffness_scale' is nan"):
         run(float("nan"))
     assert run(0.9) == perilymph.read_study(tmp_path / "study")
+
+
+def ran(values):
+    return perilymph.read_scenario("surgery-flex28", {**COARSE, **values})
+
+
+@pytest.mark.parametrize("values, key, expected", [
+    ({"friction": perilymph.Friction(0.1), "friction_static": 0.3}, "friction_static", 0.3),
+    ({"friction": perilymph.Friction(0.3), "friction_dynamic": 0.2, "friction_static": 0.4}, "friction_dynamic", 0.2),
+    ({"cochlea": perilymph.Cochlea.of_scenario(perilymph.read_scenario("mean-contour")), "lead_in_mm": 0.5}, "lead_in_mm", 0.5),
+])
+def test_a_value_under_its_own_key_counts_in_whatever_order(values, key, expected):
+    assert ran(values) == ran(dict(reversed(values.items()))) and ran(values)[key] == expected
+
+
+@pytest.mark.parametrize("other", [{"patient": perilymph.Patient(a_mm=9.0, b_mm=6.8)}, {"anatomy": "mean"}])
+def test_a_cochlea_is_given_once(other):
+    values = {"cochlea": perilymph.Cochlea(measured())} | other
+    for each in (values, dict(reversed(values.items()))):
+        with pytest.raises(perilymph.Error, match="Give one of them"):
+            ran(each)
+
+
+def test_a_patient_is_taken_away_by_an_empty_name(tmp_path):
+    scenario = ran({"patient": measured()})
+    (tmp_path / "own.toml").write_text(scenario.text)
+    for without in (scenario.with_values({"patient": ""}), perilymph.read_scenario(tmp_path / "own.toml", {"patient": ""})):
+        columns, expected = perilymph.simulate(without).columns, perilymph.simulate(ran({})).columns
+        assert without.patient.a_mm is None and all(same_bits(columns[key], expected[key]) for key in expected)
+
+
+def test_a_scenario_whose_array_was_changed_is_read_again(tmp_path):
+    file = tmp_path / "own.toml"
+    array = perilymph.read_array("flex28")
+    file.write_text(array.text)
+    scenario = ran({"array": file})
+    (tmp_path / "kept.toml").write_text(scenario.text)
+    assert perilymph.read_scenario(tmp_path / "kept.toml").notes == scenario.notes
+    assert scenario.with_values({"speed_mm_s": 1}).array == scenario.array
+    file.write_text(array.replace(name="Thick", width_mm=0.9).text)
+    for use in (lambda: scenario.with_values({"speed_mm_s": 1}), lambda: perilymph.simulate(scenario, {"speed_mm_s": 1}),
+                lambda: perilymph.study(scenario, tmp_path / "study", mean=True)):
+        with pytest.raises(perilymph.Error, match="was changed since the scenario"):
+            use()
+    assert any("was changed since" in note for note in perilymph.read_scenario(tmp_path / "kept.toml").notes)
+    assert scenario.with_values({"array": "flex24"}).array.name == "FLEX24"
+    with pytest.raises(perilymph.Error, match="was changed since the scenario"):
+        pickle.loads(pickle.dumps(scenario))
+
+
+@pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
+@pytest.mark.parametrize("name", OBJECTS)
+def test_every_protocol_of_pickle_keeps_an_object(name, protocol):
+    one = OBJECTS[name][0]()
+    assert pickle.loads(pickle.dumps(one, protocol)) == one
+
+
+def test_arrays_of_results_are_read_only():
+    run = perilymph.simulate("surgery-flex28", COARSE)
+    before = hash(run)
+    for values in (run["depth_mm"], run.columns["force_axial_N"], run.nodes_mm, run.contacts["angle_deg"], copy.deepcopy(run)["depth_mm"]):
+        with pytest.raises(ValueError, match="read-only"):
+            values[0] = 99
+    run.summary["peak_force_N"] = 5
+    del run.columns["depth_mm"]
+    assert hash(run) == before and "depth_mm" in run and run.summary["peak_force_N"] < 1
+    frame = run.to_pandas()
+    frame.loc[0, "depth_mm"] = 99  # a copy
+    assert run["depth_mm"][0] != 99
+
+
+def test_masked_numbers_are_refused():
+    cochlea = perilymph.Cochlea.named("mean")
+    with pytest.raises(TypeError, match="masked"):
+        cochlea.axis(np.ma.masked_greater([90.0, 800.0], 500))
+    assert cochlea.axis(np.ma.masked_greater([90.0, 800.0], 500).compressed()).shape == (1, 3)
+
+
+def test_an_array_without_a_stylet_has_none_to_pull():
+    with pytest.raises(perilymph.Error, match="FLEX28 has no stylet"):
+        perilymph.Insertion("surgery-flex28", COARSE).pull_stylet(3)
+    perilymph.Insertion("mean-contour", COARSE).pull_stylet(3)
+
+
+def test_a_study_refuses_what_counts_twice_and_says_what_has_no_effect(tmp_path):
+    def run(name, **values):
+        return perilymph.study(ran({}), tmp_path / name, depth="scenario", **values)
+
+    for same in ([measured(), measured()], [measured(), perilymph.Cochlea(measured())]):
+        with pytest.raises(perilymph.Error, match="patients 1 and 2 are the same"):
+            run("same", patients=same)
+    with pytest.raises(perilymph.Error, match=r"\[ranges\] and in \[vary\]"):
+        run("both", mean=True, vary={"speed_mm_s": [1, 2]}, ranges={"speed_mm_s": (0.5, 1)})
+    of_other = perilymph.Cochlea.of_scenario(perilymph.read_scenario("mean-contour", {"patient": measured()}))
+    with pytest.raises(perilymph.Error, match="lead-in of 1 mm"):
+        run("lead-in", patients=[of_other])
+    as_run = ran({}).array
+    own = as_run.replace(name="Own", width_mm=0.9 * as_run.width_mm(0))
+    results = run("packing", mean=True, vary={"array": [own], "wire_packing": [0.06, 1.2]})
+    assert any("wire_packing" in note for note in results.notes)
+    with sqlite3.connect(tmp_path / "packing/study.sqlite") as database:
+        database.execute("UPDATE insertion SET peak_mN = 99")
+    changed = perilymph.read_study(tmp_path / "packing")
+    assert "changed by hand" in repr(changed) and any("changed" in note for note in changed.notes)
+
+
+def test_a_study_has_the_measures_that_its_patients_state(tmp_path):
+    columns = perilymph.study(ran({}), tmp_path / "study", depth="scenario", patients=[measured()]).to_pandas()
+    assert [columns[key][0] for key in ("A_mm", "B_mm")] == [9.3, 6.9]
+    assert columns["cdl_oc_mm"][0] == perilymph.Cochlea(measured()).measures()["cdl_oc_mm"]

@@ -243,6 +243,17 @@ TEST(Study, CountsNoInsertionTwice)
               HasSubstr("one.toml stands twice"));
 }
 
+TEST(Study, RefusesARangeOfWhatIsListed)
+{
+  const std::string text(small), range = "[ranges]\nspeed_mm_s = [0.2, 2.0]\n";
+  for (const std::string list : {"speed_mm_s = [1.0, 0.5]\n", "[[case]]\nspeed_mm_s = 1.0\n"})
+    EXPECT_THAT(
+        refusal(text + list + range),
+        testing::AllOf(HasSubstr("'speed_mm_s' has values in [ranges]"), HasSubstr("Remove one")))
+        << list;
+  EXPECT_TRUE(read(text + range));
+}
+
 TEST(Study, SaysThatTheCochleaOfItsScenarioIsNotUsed)
 {
   const test::TemporaryFolder folder;

@@ -240,6 +240,10 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   if (const auto done = checkPassage(reader.name(), parameters); !done) return done.error();
   if (const auto done = anatomy::checkPatient(patient); !done) return done.error();
   if (const auto done = readArray(scenario.arrayName, scenario); !done) return done.error();
+  if (!scenario.expectedArrayFingerprint.empty() &&
+      scenario.expectedArrayFingerprint != scenario.arrayFingerprint)
+    scenario.notes.push_back("The file of the array " + parameters.array.name +
+                             " was changed since this scenario was written with it.");
   if (!calibration) return calibration.error();
   if (const auto done = applyYield(yield, reader.name(), scenario); !done) return done.error();
   if (packing) parameters.array = electrode::withWirePacking(std::move(parameters.array), *packing);
@@ -360,12 +364,17 @@ Result<Scenario> Scenario::with(const Overrides& overrides) const
 {
   Overrides all = overrides;
   // what the text was read with still holds, but for another array
-  const std::string expected =
-      overrideOf(overrides, "array") == nullptr ? expectedArrayFingerprint() : std::string();
-  all.insert(all.begin(), {"array_fingerprint", tomlText(expected)});
+  const bool keepsArray = overrideOf(overrides, "array") == nullptr;
+  all.insert(all.begin(), {"array_fingerprint",
+                           tomlText(keepsArray ? expectedArrayFingerprint() : std::string())});
   // a name with a point would lose what follows it
   auto changed = parseScenario(text(), name() + ".toml", all);
   if (!changed) return changed;
+  if (keepsArray && changed->arrayFingerprint() != arrayFingerprint())
+    return Error{
+        "The file of the array %1 was changed since the scenario %2 was read. Read the scenario "
+        "again.",
+        array().name, name()};
   ScenarioContent content = *changed->content_;
   if (const auto done = checkPublishedPoints(content.parameters, name()); !done)
     return done.error();

@@ -48,6 +48,7 @@ Result<anatomy::Patient> readPatient(TomlReader& reader, const std::string& name
   anatomy::Patient patient;
   const bool hasNumbers = reader.has("patient_numbers");
   if (hasNumbers) patient = patientFromNumbers(reader.table("patient_numbers"));
+  if (name.empty() && isOverridden) return anatomy::Patient{};  // the scenario without its patient
   if (name.empty() || (hasNumbers && !isOverridden)) return patient;
   const auto file = findPatient(name, folder);
   if (!file) return file.error();
@@ -99,7 +100,8 @@ Result<void> readCochlea(TomlReader& reader, ScenarioKeys& keys, const std::stri
     return read.error();
   }
   cochlea.patient = *std::move(read);
-  const bool hasPatient = !patient.empty() || reader.table("patient_numbers").has("st_length_mm");
+  const bool hasLengths = reader.table("patient_numbers").has("st_length_mm");
+  const bool hasPatient = !patient.empty() || (hasLengths && !isOverridden);
   readAnatomy(reader, keys, cochlea.patient, hasPatient, cochlea.source);
   return {};
 }

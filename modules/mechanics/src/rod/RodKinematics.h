@@ -126,36 +126,45 @@ struct RodKinematics {
   double twistTorque = 0.0;  ///< Torque of the array on the hand about its axis [N.m].
 };
 
+/// A bending stiffness of each joint in one direction.
+struct DirectedStiffness {
+  explicit DirectedStiffness(std::size_t nodes = 0)
+      : stiffness(nodes), byLast_W(nodes), byNext_W(nodes)
+  {
+  }
+
+  std::vector<double> stiffness;  ///< [N.m]
+  Axes byLast_W;  ///< Gradient of the bend in that direction by the node before a joint [1/m] ...
+  Axes byNext_W;  ///< ... and by the node after it.
+};
+
 /// What the stiffness of each edge and joint follows from (rod/RodStiffness.h); 0 where there is none, at
 /// both ends and one beyond.
 struct JointStiffness {
   explicit JointStiffness(std::size_t nodes = 0)
       : along(nodes + 1),
         sideways(nodes + 1),
-        bending(nodes + 1),
         byNext(nodes + 1),
         byLast(nodes + 1),
         byBoth(nodes + 1),
         cosine(nodes + 1),
         twisting(nodes + 1),
-        excess(nodes + 1),
-        excessByLast_W(nodes + 1),
-        excessByNext_W(nodes + 1)
+        excess(nodes + 1)
   {
+    for (DirectedStiffness& each : yielded) each = DirectedStiffness(nodes + 1);
   }
 
   std::vector<double> along;  ///< Stiffness of each edge along itself, with damping [N/m].
   std::vector<double>
       sideways;  ///< By how much that across it, from its tension, exceeds this [N/m].
-  std::vector<double> bending;   ///< EI / h of each joint, with damping, less what yields [N.m].
-  std::vector<double> byNext;    ///< That by the motion of the node after a joint [N/m] ...
+  std::vector<double> byNext;    ///< Of each joint, by the motion of the node after it [N/m] ...
   std::vector<double> byLast;    ///< ... of the node before it ...
   std::vector<double> byBoth;    ///< ... and of both.
   std::vector<double> cosine;    ///< Of the angle between the two edges.
   std::vector<double> twisting;  ///< GJ / h [N.m].
-  std::vector<double> excess;    ///< By how much the larger EI / h exceeds `bending` [N.m].
-  Axes excessByLast_W;  ///< Gradient of the bend that it acts on by the node before [1/m] ...
-  Axes excessByNext_W;  ///< ... and by the node after.
+  DirectedStiffness excess;      ///< What an oval section has more in its stiffer direction.
+  std::array<DirectedStiffness, yieldingBranches> yielded;  ///< What branches that yield lack ...
+  std::array<bool, yieldingBranches> yields{};              ///< ... if any joint of them does.
 };
 
 /// The symmetric tridiagonal system for the rotation of every edge about its axis.

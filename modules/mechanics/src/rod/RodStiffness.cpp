@@ -120,17 +120,17 @@ PERILYMPH_IN_LANES SymmetricBlock<T> twistAt(const RodKinematics& rod, const Joi
   return {l.x * b.x, l.x * b.y, l.x * b.z, l.y * b.y, l.y * b.z, l.z * b.z};
 }
 
-/// k g g^T for the excess of an oval section, with the gradients g of the bend along its stiffer way by
-/// the nodes before, at and after a joint.
+/// k g g^T for a stiffness in one direction, with the gradients g of the bend by the nodes before, at and
+/// after a joint.
 template <class T>
-struct ExcessBlocks {
+struct DirectedBlocks {
   Triple<T> last, here, next;
   T stiffness;
 
-  PERILYMPH_IN_LANES ExcessBlocks(const JointStiffness& joints, std::size_t i) noexcept
-      : last(load<T>(joints.excessByLast_W, i)),
-        next(load<T>(joints.excessByNext_W, i)),
-        stiffness(load<T>(joints.excess, i))
+  PERILYMPH_IN_LANES DirectedBlocks(const DirectedStiffness& directed, std::size_t i) noexcept
+      : last(load<T>(directed.byLast_W, i)),
+        next(load<T>(directed.byNext_W, i)),
+        stiffness(load<T>(directed.stiffness, i))
   {
     here = Triple<T>{-last.x, -last.y, -last.z} - next;
   }
@@ -139,127 +139,197 @@ struct ExcessBlocks {
   {
     return outer(stiffness * a, b);
   }
+  /// The part of the row of the node after the joint.
+  PERILYMPH_IN_LANES void addNext(SymmetricBlock<T>& diagonal, Block<T>& beside,
+                                  Block<T>& beyond) const noexcept
+  {
+    diagonal += symmetricPart(of(next, next));
+    beside += of(next, here);
+    beyond += of(next, last);
+  }
+  /// The part of its own row.
+  PERILYMPH_IN_LANES void addHere(SymmetricBlock<T>& diagonal, Block<T>& beside) const noexcept
+  {
+    diagonal += symmetricPart(of(here, here));
+    beside += of(here, last);
+  }
+  PERILYMPH_IN_LANES void addLast(SymmetricBlock<T>& diagonal) const noexcept
+  {
+    diagonal += symmetricPart(of(last, last));
+  }
+  /// Of the first joint, of which the node before and its own belong to the base.
+  PERILYMPH_IN_LANES void addBase(SymmetricBlock<T>& diagonal, Block<T>& beside) const noexcept
+  {
+    const SymmetricBlock<T> coupling = symmetricPart(of(here, last));
+    addLast(diagonal);
+    diagonal += coupling;
+    diagonal += coupling;
+    diagonal += symmetricPart(of(here, here));
+    beside += of(next, last);
+    beside += of(next, here);
+  }
 };
+
+/// Sets a stiffness in the direction of a unit vector, at a joint or at four.
+template <class T>
+PERILYMPH_IN_LANES void setDirected(const RodKinematics& rod, const Joint<T>& joint, std::size_t i,
+                                    const Triple<T>& way, const T& stiffness,
+                                    DirectedStiffness& directed) noexcept
+{
+  const T c = 2.0 / larger(1.0 + joint.cosine, 1e-3);
+  const T next = c * load<T>(rod.inverseLength, i), last = c * load<T>(rod.inverseLength, i - 1);
+  store(stiffness, directed.stiffness, i);
+  store(next * (way - dot(way, joint.next) * joint.next), directed.byNext_W, i);
+  store(last * (way - dot(way, joint.last) * joint.last), directed.byLast_W, i);
+}
+
+/// Sets what the branches that yield lack at a joint, or at four, in the direction of their bends.
+///
+/// @return  What they lack in every direction: of a branch, s k (1 - n n^T) is left of k.
+template <class T>
+PERILYMPH_IN_LANES T setYielded(const SectionStiffness& section, const RodKinematics& rod,
+                                const Joint<T>& joint, std::size_t i,
+                                JointStiffness& joints) noexcept
+{
+  T lost{};
+  const Triple<T> bent = joint.bend_W() - load<T>(rod.restBend_W, i);
+  for (std::size_t b = 0; b < section.branches; ++b) {
+    const std::size_t k = section.branch[b];
+    const Triple<T> x = bent + load<T>(rod.wireOffset_W[k], i);
+    const auto isElastic = dot(x, x) <= load<T>(section.elasticSquare[k], i);
+    joints.yields[k] = joints.yields[k] || !inAll(isElastic);
+    const T stiffness = load<T>(section.yielding[k].stiffness, i);
+    const T s = elasticFraction(x, stiffness, load<T>(section.yielding[k].moment, i));
+    lost += oneOf(isElastic, T{}, T((1.0 - s) * stiffness));
+    const Triple<T> way = oneOf(isElastic, Triple<T>{}, T(1.0 / root(dot(x, x))) * x);
+    setDirected(rod, joint, i, way, T(oneOf(isElastic, T{}, T(-s * stiffness))), joints.yielded[k]);
+  }
+  return lost;
+}
+
+/// Calls a function with the blocks of each branch that yields, at a joint or at four.
+template <class T, class Function>
+PERILYMPH_IN_LANES void forEachYielded(const SectionStiffness& section,
+                                       const JointStiffness& joints, std::size_t i,
+                                       const Function& function) noexcept
+{
+  for (std::size_t b = 0; b < section.branches; ++b)
+    if (joints.yields[section.branch[b]])
+      function(DirectedBlocks<T>(joints.yielded[section.branch[b]], i));
+}
 
 /// Sets what the blocks are computed from, for each edge and joint.
 void setJoints(const InsertionModel& model, Compression compression,
                const SectionStiffness& section, const RodKinematics& rod,
                JointStiffness& joints) noexcept
 {
-  const auto n = static_cast<std::size_t>(model.nodes);
   const double damping = dampingTime / model.timeStep;
   const double least =
       compression == Compression::included ? -std::numeric_limits<double>::infinity() : 0.0;
-  inLanes(1, n - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const T along = load<T>(section.stretching, i) * (1.0 + damping);
-    const T tension = larger(load<T>(rod.tension, i), least);
-    store(along, joints.along, i);
-    store(T(tension * load<T>(rod.inverseLength, i) - along), joints.sideways, i);
-    store(T(load<T>(section.bending, i) * (1.0 + damping)), joints.bending, i);
-  });
-  if (section.branches > 0)
-    for (std::size_t i = 1; i + 1 < n; ++i) joints.bending[i] -= lostByYielding(section, rod, i);
-  inLanes(1, n - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const Joint<T> joint(rod, i);
-    const T a = 2.0 * joint.c * load<T>(rod.inverseLength, i);
-    const T b = 2.0 * joint.c * load<T>(rod.inverseLength, i - 1);
-    const T stiffness = load<T>(joints.bending, i);
-    store(T(stiffness * a * a), joints.byNext, i);
-    store(T(stiffness * b * b), joints.byLast, i);
-    store(T(stiffness * a * b), joints.byBoth, i);
-    store(joint.cosine, joints.cosine, i);
-    if (model.twists) store(load<T>(section.twisting, i), joints.twisting, i);
-    if (!model.isOval) return;
-    const Triple<T> way = load<T>(rod.stiffer_W, i);
-    const T c = 2.0 / larger(1.0 + joint.cosine, 1e-3);
-    store(c * load<T>(rod.inverseLength, i) * (way - dot(way, joint.next) * joint.next),
-          joints.excessByNext_W, i);
-    store(c * load<T>(rod.inverseLength, i - 1) * (way - dot(way, joint.last) * joint.last),
-          joints.excessByLast_W, i);
-    store(T(oneOf(load<T>(model.bendingExcess, i) > 0.0,
-                  T(load<T>(section.bendingExcess, i) * (1.0 + damping)), T{})),
-          joints.excess, i);
-  });
+  joints.yields.fill(false);
+  inLanes(
+      1, static_cast<std::size_t>(model.nodes) - 1, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+        using T = decltype(lane);
+        const T along = load<T>(section.stretching, i) * (1.0 + damping);
+        const T tension = larger(load<T>(rod.tension, i), least);
+        store(along, joints.along, i);
+        store(T(tension * load<T>(rod.inverseLength, i) - along), joints.sideways, i);
+
+        const Joint<T> joint(rod, i);
+        T stiffness = load<T>(section.bending, i) * (1.0 + damping);
+        if (section.branches > 0) stiffness -= setYielded(section, rod, joint, i, joints);
+        const T a = 2.0 * joint.c * load<T>(rod.inverseLength, i);
+        const T b = 2.0 * joint.c * load<T>(rod.inverseLength, i - 1);
+        store(T(stiffness * a * a), joints.byNext, i);
+        store(T(stiffness * b * b), joints.byLast, i);
+        store(T(stiffness * a * b), joints.byBoth, i);
+        store(joint.cosine, joints.cosine, i);
+        if (model.twists) store(load<T>(section.twisting, i), joints.twisting, i);
+        if (!model.isOval) return;
+        const T excess = load<T>(section.bendingExcess, i) * (1.0 + damping);
+        setDirected(rod, joint, i, load<T>(rod.stiffer_W, i),
+                    T(oneOf(load<T>(model.bendingExcess, i) > 0.0, excess, T{})), joints.excess);
+      });
 }
 
-/// Sets the row of a node, or of four: what it shares with the two nodes before.
+/// Sets the row of a node, or of four: what it shares with the two nodes before. Sums begin with the
+/// first joint and have the order stretching, yielding, bending; then twist and excess.
 template <class T>
-PERILYMPH_IN_LANES void setRow(const InsertionModel& model, const RodKinematics& rod,
-                               const JointStiffness& joints, std::size_t i,
-                               BandMatrix& matrix) noexcept
+PERILYMPH_IN_LANES void setRow(const InsertionModel& model, const SectionStiffness& section,
+                               const RodKinematics& rod, const JointStiffness& joints,
+                               std::size_t i, BandMatrix& matrix) noexcept
 {
+  using Blocks = DirectedBlocks<T>;
   const SymmetricBlock<T> stretching = stretchingAt<T>(rod, joints, i - 1);
   const BendingBlocks<T> before(rod, joints, i - 1), here(rod, joints, i);
-  const SymmetricBlock<T> after = across(load<T>(rod.tangent_W, i), load<T>(joints.byLast, i + 1));
   SymmetricBlock<T> diagonal = stretching;
-  diagonal += before.nextNext;
-  diagonal += stretchingAt<T>(rod, joints, i);
-  diagonal += here.hereHere();
-  diagonal += after;
-  Block<T> beside{};
+  Block<T> beside{}, beyond{};
   beside -= asBlock(stretching);
+  forEachYielded<T>(section, joints, i - 1, [&](const Blocks& one) PERILYMPH_KERNEL {
+    one.addNext(diagonal, beside, beyond);
+  });
+  diagonal += before.nextNext;
   beside -= before.nextHere();
+  beyond += before.nextLast;
+  diagonal += stretchingAt<T>(rod, joints, i);
+  forEachYielded<T>(section, joints, i,
+                    [&](const Blocks& one) PERILYMPH_KERNEL { one.addHere(diagonal, beside); });
+  diagonal += here.hereHere();
   beside -= here.hereLast();
-  Block<T> beyond = before.nextLast;
+  forEachYielded<T>(section, joints, i + 1,
+                    [&](const Blocks& one) PERILYMPH_KERNEL { one.addLast(diagonal); });
+  diagonal += across(load<T>(rod.tangent_W, i), load<T>(joints.byLast, i + 1));
   if (model.twists) {
     const SymmetricBlock<T> twist = twistAt<T>(rod, joints, i - 1);
     diagonal += twist;
     beyond -= asBlock(twist);
   }
   if (model.isOval) {
-    const ExcessBlocks<T> last(joints, i - 1), own(joints, i);
-    diagonal += symmetricPart(last.of(last.next, last.next));
-    diagonal += symmetricPart(own.of(own.here, own.here));
-    beside += last.of(last.next, last.here);
-    beside += own.of(own.here, own.last);
-    beyond += last.of(last.next, last.last);
+    Blocks(joints.excess, i - 1).addNext(diagonal, beside, beyond);
+    Blocks(joints.excess, i).addHere(diagonal, beside);
   }
   if (model.twists) diagonal += twistAt<T>(rod, joints, i + 1);
-  if (model.isOval) {
-    const ExcessBlocks<T> next(joints, i + 1);
-    diagonal += symmetricPart(next.of(next.last, next.last));
-  }
+  if (model.isOval) Blocks(joints.excess, i + 1).addLast(diagonal);
   store(diagonal, matrix.diagonal, i - 1);
   store(beside, matrix.beside, i - 1);
   store(beyond, matrix.beyond, i - 1);
 }
 
 /// Sets the row of the base, whose two nodes move together, and what the node after it shares with it.
-void setBaseRow(const InsertionModel& model, const RodKinematics& rod, const JointStiffness& joints,
-                BandMatrix& matrix) noexcept
+void setBaseRow(const InsertionModel& model, const SectionStiffness& section,
+                const RodKinematics& rod, const JointStiffness& joints, BandMatrix& matrix) noexcept
 {
+  using Blocks = DirectedBlocks<double>;
   const SymmetricBlock<double> stretching = stretchingAt<double>(rod, joints, 1);
   const BendingBlocks<double> first(rod, joints, 1), second(rod, joints, 2);
   SymmetricBlock<double> diagonal = stretching;
+  Block<double> beside{};
+  beside -= asBlock(stretching);
+  forEachYielded<double>(section, joints, 1,
+                         [&](const Blocks& one) { one.addBase(diagonal, beside); });
   diagonal += first.hereHere();
   diagonal += first.lastLast;
   diagonal -= withMirror(first.hereLast());  // their interaction is internal
-  diagonal += second.lastLast;
-  Block<double> beside{};
-  beside -= asBlock(stretching);
   beside -= first.nextHere();
   beside += first.nextLast;
+  forEachYielded<double>(section, joints, 2, [&](const Blocks& one) {
+    one.addLast(diagonal);
+    beside += one.of(one.here, one.last);
+  });
+  diagonal += second.lastLast;
   beside -= second.hereLast();
   if (model.twists) {
     const SymmetricBlock<double> twist = twistAt<double>(rod, joints, 1);
     diagonal += twist;
     beside -= asBlock(twist);
   }
-  const ExcessBlocks<double> one(joints, 1), two(joints, 2);
+  const Blocks two(joints.excess, 2);
   if (model.isOval) {
-    const SymmetricBlock<double> coupling = symmetricPart(one.of(one.here, one.last));
-    diagonal += symmetricPart(one.of(one.last, one.last));
-    diagonal += coupling;
-    diagonal += coupling;
-    diagonal += symmetricPart(one.of(one.here, one.here));
-    beside += one.of(one.next, one.last);
-    beside += one.of(one.next, one.here);
+    Blocks(joints.excess, 1).addBase(diagonal, beside);
     beside += two.of(two.here, two.last);
   }
   if (model.twists) diagonal += twistAt<double>(rod, joints, 2);
-  if (model.isOval) diagonal += symmetricPart(two.of(two.last, two.last));
+  if (model.isOval) two.addLast(diagonal);
   matrix.diagonal.set(0, diagonal);
   matrix.beside.set(0, {});
   matrix.beside.set(1, beside);
@@ -273,15 +343,12 @@ void setRodStiffness(const InsertionModel& model, Compression compression,
                      const SectionStiffness& section, const RodKinematics& rod,
                      JointStiffness& joints, BandMatrix& matrix) noexcept
 {
-  const auto n = static_cast<std::size_t>(model.nodes);
   setJoints(model, compression, section, rod, joints);
-  inLanes(2, n, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    setRow<decltype(lane)>(model, rod, joints, i, matrix);
+  inLanes(2, static_cast<std::size_t>(model.nodes), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    setRow<decltype(lane)>(model, section, rod, joints, i, matrix);
   });
-  setBaseRow(model, rod, joints, matrix);
+  setBaseRow(model, section, rod, joints, matrix);
   matrix.firstIsHeld = false;
-  if (section.branches == 0) return;
-  for (std::size_t i = 1; i + 1 < n; ++i) softenYielding(section, rod, i, matrix);
 }
 
 }  // namespace perilymph::mechanics

@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "rod/BendingAlong.h"
 #include "rod/Joint.h"
 #include "rod/Relaxation.h"
 #include "rod/Rod.h"
@@ -47,45 +46,6 @@ void moveStylet(const InsertionModel& model, double withdrawn, SectionStiffness&
     plastic.along[i] = bentAlong - kept * (bentAlong - along);
     plastic.across[i] = bentAcross - kept * (bentAcross - across);
   }
-}
-
-namespace {
-
-/// Calls a function with each branch that yields at node i: its stiffness, the fraction of its elastic
-/// moment, and the bend.
-template <class Function>
-void forEachYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
-                     const Function& function) noexcept
-{
-  const Triple<double> bent = Joint<double>(rod, i).bend_W() - load<double>(rod.restBend_W, i);
-  for (std::size_t b = 0; b < section.branches; ++b) {
-    const std::size_t k = section.branch[b];
-    const double stiffness = section.yielding[k].stiffness[i];
-    const Triple<double> x = bent + load<double>(rod.wireOffset_W[k], i);
-    if (dot(x, x) <= section.elasticSquare[k][i]) continue;
-    function(stiffness, elasticFraction(x, stiffness, section.yielding[k].moment[i]), x);
-  }
-}
-
-}  // namespace
-
-double lostByYielding(const SectionStiffness& section, const RodKinematics& rod,
-                      std::size_t i) noexcept
-{
-  double lost = 0.0;
-  forEachYielding(section, rod, i, [&](double stiffness, double s, const Triple<double>&) {
-    lost += (1.0 - s) * stiffness;
-  });
-  return lost;
-}
-
-void softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
-                    BandMatrix& matrix) noexcept
-{
-  forEachYielding(section, rod, i, [&](double stiffness, double s, const Triple<double>& x) {
-    const double inverse = 1.0 / root(dot(x, x));
-    addBendingAlong(matrix, rod, i, {inverse * x.x, inverse * x.y, inverse * x.z}, -s * stiffness);
-  });
 }
 
 }  // namespace perilymph::mechanics

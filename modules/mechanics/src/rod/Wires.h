@@ -18,7 +18,6 @@
 #include "perilymph/mechanics/InsertionModel.h"
 #include "perilymph/mechanics/InsertionState.h"
 #include "rod/RodKinematics.h"
-#include "solver/BandMatrix.h"
 
 namespace perilymph::mechanics {
 
@@ -90,15 +89,6 @@ PERILYMPH_IN_LANES void offsetWires(const InsertionState& state, const SectionSt
     store(offAlong * along + offAcross * across, rod.wireOffset_W[k], i);
   }
 }
-
-/// What yielding takes from the stiffness at node i in every direction [N.m]: of a branch, s k (1 - n n^T)
-/// is left of k.
-double lostByYielding(const SectionStiffness& section, const RodKinematics& rod,
-                      std::size_t i) noexcept;
-
-/// Subtracts from the matrix what it takes along the bend beyond that.
-void softenYielding(const SectionStiffness& section, const RodKinematics& rod, std::size_t i,
-                    BandMatrix& matrix) noexcept;
 
 /// Commits the plastic bends of a node, or of four, at the end of a step; `bent` as for yieldStress().
 ///

@@ -39,7 +39,7 @@ void seeBone(const InsertionModel& model, const InsertionState& state, std::size
 /// order, in the order in which Eigen multiplies a matrix with a vector.
 template <class T>
 struct FollowedWall {
-  T squared;  ///< Of that motion [m^2].
+  T squared;  ///< Square of that motion [m^2].
   T distance;
   Triple<T> normal_W;
 

@@ -283,8 +283,10 @@ double frictionLag(const InsertionModel& model, const InsertionState& state,
 {
   const double atRim = std::fabs(contacts.rim.normalForce - history.rimPressedBefore);
   double sum = model.passage ? 0.0 : atRim;
-  for (std::size_t i = 0; i < state.normalForce.size(); ++i)
+  for (std::size_t k = 0; k < contacts.touches; ++k) {
+    const std::size_t i = contacts.touching[k].node;
     sum += std::fabs(state.normalForce[i] - history.pressedBefore[i]);
+  }
   const double inPassage = model.passage ? model.passage->friction.staticCoefficient * atRim : 0.0;
   return model.parts.friction.staticCoefficient * sum + inPassage;
 }

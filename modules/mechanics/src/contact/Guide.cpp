@@ -43,6 +43,10 @@ PERILYMPH_IN_LANES Triple<T> pushOn(std::size_t i, const InsertionModel& model,
 {
   const Triple<T> axis = everywhere<T>(guide.axis_W);
   const T above = load<T>(height, i) - model.parts.freeLength->si();
+  if (inAll(above + 0.5 * model.spacing <= 0.0)) {
+    store(T{}, guide.stiffness, i);
+    return {};
+  }
   const Onset<T> upper = onsetAt(T{above + 0.5 * model.spacing});
   const Onset<T> lower = onsetAt(T{above - 0.5 * model.spacing});
   const T stiffness = holdStiffness * (upper.integral - lower.integral);

@@ -15,9 +15,10 @@ bool setForces(const InsertionModel& model, const InsertionState& state,
                ContactSet& contacts) noexcept
 {
   bool isAny = false;
-  for (std::size_t i = 0; i < state.normalForce.size(); ++i) {
+  std::ranges::fill(contacts.onPartition, 0.0);
+  for (std::size_t k = 0; k < contacts.touches; ++k) {
+    const std::size_t i = contacts.touching[k].node;
     double& force = contacts.onPartition[i];
-    force = 0.0;
     if (!(state.normalForce[i] > 0.0) || state.isBeside[i] != 0 || state.track[i].inLeadIn ||
         !model.partitionRange.holds(state.track[i].angle))
       continue;
@@ -126,7 +127,8 @@ PartitionContact contactWithPartition(const InsertionModel& model, const Inserti
   if (!setForces(model, state, contacts)) return largest;
   const double h = model.spacing;
   const std::size_t n = state.position_W.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t at = 0; at < contacts.touches; ++at) {
+    const std::size_t i = contacts.touching[at].node;
     if (!(contacts.onPartition[i] > 0.0)) continue;
     const double width = 2.0 * model.radius[i];
     const double half = 0.5 * std::max(width, h);

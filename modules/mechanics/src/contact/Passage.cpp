@@ -80,9 +80,12 @@ void addSide(const InsertionModel& model, const Crossing& crossing, std::size_t 
   out -= n_W * n_W.dot(out);
   const double distance = out.norm();
   const bool isEdge = ring == 0 || ring + 1 == passage.rings;
+  const double clearance = passage.radius - crossing.radius;
+  const double highest = isEdge ? 0.0 : model.parts.array.ribHeight.si();
+  if (distance <= slackOf(clearance, 0.0, highest, 0.0).value) return;  // whatever rib is there
   const RibProfile rib = isEdge ? RibProfile{0.0, 0.0} : ribsAt(model, crossing.fromTip);
-  const Along slack = slackOf(passage.radius - crossing.radius, -crossing.radiusRate, rib.height,
-                              -model.spacing * rib.slope);
+  const Along slack =
+      slackOf(clearance, -crossing.radiusRate, rib.height, -model.spacing * rib.slope);
   const double overlap = distance - slack.value;
   const NormalForce law =
       normalForce(overlap, passage.stiffness[ring], model.parts.wall.bareOnset().si());

@@ -217,10 +217,11 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
     store(T(stiffness + energy.both + energy.nextStep * energy.nextStep), turns.stiffness, i);
     store(T(-stiffness + energy.both + energy.lastStep * energy.nextStep), turns.beside, i);
   });
-  for (std::size_t j = 0; j + 1 < edges; ++j) {
-    turns.torque[j] += turns.torqueByNext[j];
-    turns.stiffness[j] += turns.stiffnessByNext[j];
-  }
+  inLanesInPlace(0, edges - 1, [&](auto lane, std::size_t j) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    store(T(load<T>(turns.torque, j) + load<T>(turns.torqueByNext, j)), turns.torque, j);
+    store(T(load<T>(turns.stiffness, j) + load<T>(turns.stiffnessByNext, j)), turns.stiffness, j);
+  });
   if (!model.isOval) return;
   for (std::size_t i = 1; i <= edges; ++i) {
     turns.torque[i - 1] += state.wallTorque[i].torque;

@@ -157,7 +157,7 @@ struct DirectedBlocks {
   {
     diagonal += symmetricPart(of(last, last));
   }
-  /// Of the first joint, of which the node before and its own belong to the base.
+  /// The part of the base, to which the node before the first joint and its own belong.
   PERILYMPH_IN_LANES void addBase(SymmetricBlock<T>& diagonal, Block<T>& beside) const noexcept
   {
     const SymmetricBlock<T> coupling = symmetricPart(of(here, last));

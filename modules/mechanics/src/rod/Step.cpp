@@ -68,10 +68,9 @@ void learnTrend(const Prediction& prediction, double trendGain, double inverseTi
   });
 }
 
-/// Stores the state at the start of the step; forces of the wall begin at zero.
+/// Stores the state at the start of the step.
 void remember(InsertionState& state, bool isOval, RodWorkspace& work) noexcept
 {
-  std::fill_n(componentsOf(state.wallForce_W), 3 * state.wallForce_W.size(), 0.0);
   work.start.position_W = state.position_W;
   work.friction.pressedBefore = state.normalForce;
   work.friction.normalBefore_W = state.wallNormal_W;

@@ -46,12 +46,3 @@ in_bare()
 {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive chroot "$bare" "$@"
 }
-
-# clone_into <folder>: the last commit, in a clone that keeps what was built there.
-clone_into()
-{
-  # shellcheck disable=SC2154  # of packaging/steps.sh
-  if [[ ! -d $1 ]]; then git clone --quiet --no-hardlinks "$root" "$1"; fi
-  git -C "$1" fetch --quiet "$root" HEAD
-  git -C "$1" checkout --quiet --force --detach FETCH_HEAD
-}

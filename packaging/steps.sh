@@ -54,6 +54,14 @@ commit_built()
   git -C "$root" describe --always --dirty --abbrev=40 2>/dev/null || echo "no commit-dirty"
 }
 
+# clone_into <folder>: the last commit, in a clone that keeps what was built there.
+clone_into()
+{
+  if [[ ! -d $1 ]]; then git clone --quiet --no-hardlinks "$root" "$1"; fi
+  git -C "$1" fetch --quiet "$root" HEAD
+  git -C "$1" checkout --quiet --force --detach FETCH_HEAD
+}
+
 # Processor, cores and system of this machine.
 machine()
 {

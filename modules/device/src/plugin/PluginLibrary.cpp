@@ -19,6 +19,24 @@ bool isComplete(const PerilymphDeviceV1& functions)
          functions.read != nullptr && functions.write != nullptr;
 }
 
+/// The version of a library that has the entry of another one than this program; 0 if it has none.
+std::uint32_t otherVersion(void* library)
+{
+  constexpr std::uint32_t latest = 9;
+  for (std::uint32_t version = knownVersion + 1; version <= latest; ++version)
+    if (::dlsym(library, ("perilymph_device_v" + std::to_string(version)).c_str()) != nullptr)
+      return version;
+  return 0;
+}
+
+Error wrongVersion(std::uint32_t version)
+{
+  return Error{
+      "it is built for version %1 of PluginApi.h, this program for version %2. Build it with the "
+      "header of this program.",
+      version, knownVersion};
+}
+
 }  // namespace
 
 void CloseLibrary::operator()(void* library) const noexcept { ::dlclose(library); }
@@ -37,16 +55,13 @@ Result<Library> Library::load(const std::filesystem::path& file)
                  (why != nullptr ? why : "")};
   }
   const auto entry = reinterpret_cast<PerilymphDeviceEntryV1>(::dlsym(library.get(), entryName));
-  if (entry == nullptr)
-    return Error{"it exports no %1. It is no device plug-in, or one for a later program.",
-                 entryName};
+  if (entry == nullptr) {
+    if (const auto other = otherVersion(library.get()); other != 0) return wrongVersion(other);
+    return Error{"it exports no %1. It is not a device plug-in.", entryName};
+  }
   const PerilymphDeviceV1* functions = entry();
   if (functions == nullptr) return Error{"%1() gives nothing.", std::string(entryName)};
-  if (functions->version != knownVersion)
-    return Error{
-        "it speaks version %1 of the boundary; this program speaks %2. Build it against this "
-        "program.",
-        functions->version, knownVersion};
+  if (functions->version != knownVersion) return wrongVersion(functions->version);
   if (functions->size < sizeof(PerilymphDeviceV1) || !isComplete(*functions))
     return Error{"one of its functions is missing. Fill in all of PerilymphDeviceV1."};
 

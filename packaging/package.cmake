@@ -68,7 +68,7 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/packaging/PerilymphConfigV
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
   "${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake" DESTINATION "${sdk}" COMPONENT sdk)
-install(DIRECTORY plugins/devices/example packaging/sdk/template
+install(DIRECTORY plugins/devices/example plugins/devices/paddle packaging/sdk/template
   DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
 compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-dev" sdk)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" COMPONENT program)

@@ -25,12 +25,13 @@ SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) 
   return limits;
 }
 
-/// Rotation about an axis of D between two orientations [rad]; for the small ones of a push.
+/// Rotation about an axis of D between two orientations [rad], for the small ones of a push: twice the
+/// sine of half the angle, 0.4 % less than the angle at 0.3 rad.
 double turnAbout(int axis, const Eigen::Quaterniond& from_D,
                  const Eigen::Quaterniond& to_D) noexcept
 {
   const Eigen::Quaterniond turn = to_D * from_D.conjugate();
-  return 2.0 * std::atan2(turn.vec()[axis], turn.w());
+  return turn.w() < 0.0 ? -2.0 * turn.vec()[axis] : 2.0 * turn.vec()[axis];
 }
 
 }  // namespace

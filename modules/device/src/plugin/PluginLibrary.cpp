@@ -4,6 +4,10 @@
 #include <dlfcn.h>
 
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "plugin/Refusals.h"
 
 namespace perilymph::device::plugin {
 
@@ -29,12 +33,15 @@ std::uint32_t otherVersion(void* library)
   return 0;
 }
 
+Error refused(Phrase why, std::vector<Sentence> values = {})
+{
+  return Error{Sentence(why, std::move(values))};
+}
+
 Error wrongVersion(std::uint32_t version)
 {
-  return Error{
-      "it is built for version %1 of PluginApi.h, this program for version %2. Build it with the "
-      "header of this program.",
-      version, knownVersion};
+  return refused(refusals::isOfAnotherVersion,
+                 {std::to_string(version), std::to_string(knownVersion)});
 }
 
 }  // namespace
@@ -51,25 +58,24 @@ Result<Library> Library::load(const std::filesystem::path& file)
   std::unique_ptr<void, CloseLibrary> library(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!library) {
     const char* why = ::dlerror();
-    return Error{"it cannot be loaded: %1. Build it for this machine.",
-                 (why != nullptr ? why : "")};
+    return refused(refusals::cannotBeLoaded, {std::string(why != nullptr ? why : "")});
   }
   const auto entry = reinterpret_cast<PerilymphDeviceEntryV1>(::dlsym(library.get(), entryName));
   if (entry == nullptr) {
     if (const auto other = otherVersion(library.get()); other != 0) return wrongVersion(other);
-    return Error{"it exports no %1. It is not a device plug-in.", entryName};
+    return refused(refusals::isNoPlugin, {std::string(entryName)});
   }
   const PerilymphDeviceV1* functions = entry();
-  if (functions == nullptr) return Error{"%1() gives nothing.", std::string(entryName)};
+  if (functions == nullptr) return refused(refusals::givesNothing, {std::string(entryName)});
   if (functions->version != knownVersion) return wrongVersion(functions->version);
   if (functions->size < sizeof(PerilymphDeviceV1) || !isComplete(*functions))
-    return Error{"one of its functions is missing. Fill in all of PerilymphDeviceV1."};
+    return refused(refusals::isIncomplete);
 
   void* device = functions->create();
-  if (device == nullptr) return Error{"it finds no device. Plug the device in and try again."};
+  if (device == nullptr) return refused(refusals::findsNoDevice);
   Library loaded(std::move(library), *functions, device);
   loaded.traits_.size = sizeof loaded.traits_;
-  if (functions->traits(device, &loaded.traits_) != 0) return Error{"it does not tell its traits."};
+  if (functions->traits(device, &loaded.traits_) != 0) return refused(refusals::tellsNoTraits);
   return loaded;
 }
 

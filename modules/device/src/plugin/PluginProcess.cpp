@@ -13,6 +13,7 @@
 #include <cstring>
 #include <new>
 
+#include "plugin/Refusals.h"
 #include "plugin/StatedTraits.h"
 
 namespace perilymph::device::plugin {
@@ -90,7 +91,7 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   if (!loaded) return loaded.error();
   if (loaded->version != plugin::version)
     return Error{"%1 is of another version. Install the package again.", program};
-  if (loaded->isDone == 0) return Error{sentenceOf(*loaded)};
+  if (loaded->isDone == 0) return Error{recognized(sentenceOf(*loaded), refusals::all)};
   process->traits_ = loaded->traits;
   return process;
 }

@@ -100,6 +100,7 @@ static int32_t readIt(void* it, PerilymphDeviceSampleV1* out)
   (void)it;
   if (hasPushed) fail("read");
   out->sequence = ++sequence;
+  if (hasFault("none but it moves")) out->position_D_m[2] = -4e-6 * (double)sequence; /* 4 mm/s */
   out->position_D_m[0] = hasPushed && hasFault("NaN from read") ? NAN : 0.0;
   out->buttons = 1;
   out->is_valid = 1;

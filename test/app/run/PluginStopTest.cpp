@@ -26,7 +26,7 @@ namespace {
 using gui::InputSource;
 using gui::InsertionControl;
 
-constexpr int stopPatience_ms = 60'000;
+constexpr int pluginPatience_ms = 60'000;
 
 /// A way to stop, as the window calls it.
 struct Way {
@@ -44,7 +44,7 @@ constexpr Way ways[] = {
     {"Quit", [](InsertionControl&, gui::SafetyStop& safety) { safety.end(); }},
 };
 
-session::Scenario scenario()
+session::Scenario pushingScenario()
 {
   const auto read =
       session::loadScenario("contour-published", {{"nodes", "40"}, {"force_scale", "20"}});
@@ -77,13 +77,13 @@ protected:
           control_.update();
           return claim();
         },
-        stopPatience_ms);
+        pluginPatience_ms);
   }
 
   const TemporaryFolder home_;
   const std::string name_ = "perilymph-plugin-stop-" + std::to_string(::getpid());
   ListeningDevice listener_{name_};
-  InsertionControl control_{scenario(), home_ / "it.insertion"};
+  InsertionControl control_{pushingScenario(), home_ / "it.insertion"};
   gui::SafetyStop safety_{control_};
 };
 
@@ -102,9 +102,8 @@ TEST_P(InstalledPluginThatPushes, EndsWithoutForce)
   // The window's thread does nothing more: neither its timer nor update() runs.
   EXPECT_TRUE(waitUntil([this] { return listener_.force() == 0.0; }));
   const std::size_t received = listener_.forces().size();
-  if (!listener_.isLeft())
-    EXPECT_TRUE(waitUntil(
-        [&] { return listener_.isLeft() || listener_.forces().size() > received + 100; }));
+  // No later force comes: twice the time after which the host itself would write zero.
+  QTest::qSleep(100);
   const auto forces = listener_.forces();
   for (std::size_t i = received; i < forces.size(); ++i) EXPECT_EQ(forces[i], 0.0);
 }

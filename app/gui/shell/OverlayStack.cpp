@@ -123,10 +123,12 @@ void OverlayStack::place()
   help_->place();
 }
 
-/// In the middle of the 3D view as far as it is wide enough.
+/// In the middle of the 3D view as far as it is wide enough, and above the buttons below it.
 void OverlayStack::placeDevices()
 {
   const OperationView& view = *page_.views().operation();
+  devices_->fitAbove(view.isVisible() ? view.mapTo(&page_, view.rect().bottomLeft()).y()
+                                      : page_.height());
   const QPoint corner = view.mapTo(&page_, view.rect().center()) - devices_->rect().center();
   const int right = std::max(0, page_.width() - devices_->width());
   devices_->move(std::clamp(corner.x(), 0, right), std::max(0, corner.y()));

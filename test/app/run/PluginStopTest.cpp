@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <QTest>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "ListeningDevice.h"
 #include "gui/run/InputChoice.h"
@@ -32,6 +34,7 @@ constexpr int pluginPatience_ms = 60'000;
 struct Way {
   const char* name;
   void (*go)(InsertionControl& control, gui::SafetyStop& safety);
+  int delay_ms = 0;  ///< Until the force has to end.
 };
 
 constexpr Way ways[] = {
@@ -39,7 +42,8 @@ constexpr Way ways[] = {
     {"Escape", [](InsertionControl&, gui::SafetyStop& safety) { safety.stopDevice(); }},
     {"StopButton", [](InsertionControl&, gui::SafetyStop& safety) { safety.stopDevice(); }},
     {"PageLeft", [](InsertionControl&, gui::SafetyStop& safety) { safety.onPageHidden(); }},
-    {"FocusAway", [](InsertionControl&, gui::SafetyStop& safety) { safety.loseKeyboard(); }},
+    {"FocusAway", [](InsertionControl&, gui::SafetyStop& safety) { safety.loseKeyboard(); },
+     int(1e3 * gui::focusPatience.si())},
     {"ScreenLocked", [](InsertionControl&, gui::SafetyStop& safety) { safety.stopDevice(); }},
     {"Quit", [](InsertionControl&, gui::SafetyStop& safety) { safety.end(); }},
 };
@@ -100,10 +104,11 @@ TEST_P(InstalledPluginThatPushes, EndsWithoutForce)
 
   GetParam().go(control_, safety_);
   // The window's thread does nothing more: neither its timer nor update() runs.
+  std::this_thread::sleep_for(std::chrono::milliseconds(GetParam().delay_ms));
   EXPECT_TRUE(waitUntil([this] { return listener_.force() == 0.0; }));
   const std::size_t received = listener_.forces().size();
-  // No later force comes: twice the time after which the host itself would write zero.
-  QTest::qSleep(100);
+  // Twice the time after which the host itself would write zero.
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   const auto forces = listener_.forces();
   for (std::size_t i = received; i < forces.size(); ++i) EXPECT_EQ(forces[i], 0.0);
 }

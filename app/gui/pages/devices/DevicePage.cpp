@@ -146,10 +146,16 @@ void DevicePage::addPlugins()
           true);
 }
 
+void DevicePage::fitAbove(int bottom)
+{
+  bottom_ = bottom;
+  fit();
+}
+
 void DevicePage::fit()
 {
   const QPoint middle = geometry().center();
-  const int maximum = parentWidget()->height();
+  const int maximum = bottom_ > 0 ? bottom_ : parentWidget()->height();
   // Text is wrapped: the height depends on the width.
   int content = 0;
   if (scroll_ != nullptr) {
@@ -163,7 +169,16 @@ void DevicePage::fit()
     scroll_->setFixedHeight(
         std::max(scroll_->minimumSizeHint().height(), content - whole + maximum));
   resize(width(), std::min(whole, maximum));
-  if (isVisible()) move(x(), std::clamp(middle.y() - height() / 2, 0, maximum - height()));
+  if (isVisible())
+    move(x(), std::clamp(middle.y() - height() / 2, 0, std::max(0, maximum - height())));
+}
+
+/// The title of a device that cannot be chosen.
+void DevicePage::addTitle(const QString& title)
+{
+  auto& column = static_cast<QVBoxLayout&>(*list_->layout());
+  column.addSpacing(spacing);
+  addText(title, false);
 }
 
 /// The title of a device, with a button that chooses it.
@@ -180,7 +195,9 @@ QPushButton* DevicePage::addRow(const QString& title, bool isRemembered)
   use->setEnabled(isChangeable_);
   use->setProperty("chooses", true);
   row->addWidget(use);
-  static_cast<QVBoxLayout&>(*list_->layout()).addLayout(row);
+  auto& column = static_cast<QVBoxLayout&>(*list_->layout());
+  column.addSpacing(spacing);
+  column.addLayout(row);
   return use;
 }
 
@@ -194,7 +211,7 @@ void DevicePage::addDevice(const device::FoundDevice& found, const device::Devic
                        QString::fromStdString(node.path.filename().string()));
     connect(use, &QPushButton::clicked, this, [this, found] { Q_EMIT deviceChosen(found); });
   } else {
-    addText(title, false);
+    addTitle(title);
   }
   QString where = QString::fromStdString(node.path.string());
   if (!node.place.empty()) where = tr("%1 at %2").arg(where, QString::fromStdString(node.place));
@@ -216,7 +233,7 @@ void DevicePage::addPlugin(const device::FoundPlugin& plugin)
 {
   const QString title = QString::fromStdString(plugin.name);
   if (!plugin.isUsable()) {
-    addText(title, false);
+    addTitle(title);
     addText(dataText(plugin.obstacle), true);
     return;
   }

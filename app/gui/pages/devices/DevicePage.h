@@ -31,6 +31,8 @@ public:
   /// Searches for devices again, without opening any; for plug-ins in the background, because each is
   /// loaded for a moment, and not during an insertion.
   void refresh();
+  /// Takes the height of its content, at most down to this one of its parent, and scrolls the rest.
+  void fitAbove(int bottom);
   /// Enables selection of devices, possible before and after an insertion only.
   void setChangeable(bool isChangeable);
   /// Shows the device in use.
@@ -50,6 +52,7 @@ private:
   void addDevice(const device::FoundDevice& found, const device::DeviceSurvey& survey);
   void addPlugins();
   void addPlugin(const device::FoundPlugin& plugin);
+  void addTitle(const QString& title);
   QPushButton* addRow(const QString& title, bool isRemembered);
   QLabel* addText(const QString& text, bool isQuiet);
 
@@ -60,6 +63,7 @@ private:
   QVBoxLayout* column_;
   Background* search_;
   std::vector<device::FoundPlugin> plugins_;  ///< What the last search found.
+  int bottom_ = 0;  ///< The lowest place in its parent that it may take; 0: the parent's bottom.
   bool isChangeable_ = true;
 };
 

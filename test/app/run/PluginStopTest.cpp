@@ -7,11 +7,11 @@
 #include <unistd.h>
 
 #include <QTest>
-#include <chrono>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <thread>
+#include <iterator>
 
 #include "ListeningDevice.h"
 #include "gui/run/InputChoice.h"
@@ -34,7 +34,8 @@ constexpr int pluginPatience_ms = 60'000;
 struct Way {
   const char* name;
   void (*go)(InsertionControl& control, gui::SafetyStop& safety);
-  int delay_ms = 0;  ///< Until the force has to end.
+  std::size_t ticks = 0;  ///< Before the force has to end: at least as many milliseconds.
+  int zeros = 100;        ///< Forces of zero that follow at least.
 };
 
 constexpr Way ways[] = {
@@ -43,9 +44,9 @@ constexpr Way ways[] = {
     {"StopButton", [](InsertionControl&, gui::SafetyStop& safety) { safety.stopDevice(); }},
     {"PageLeft", [](InsertionControl&, gui::SafetyStop& safety) { safety.onPageHidden(); }},
     {"FocusAway", [](InsertionControl&, gui::SafetyStop& safety) { safety.loseKeyboard(); },
-     int(1e3 * gui::focusPatience.si())},
+     std::size_t(1e3 * gui::focusPatience.si())},
     {"ScreenLocked", [](InsertionControl&, gui::SafetyStop& safety) { safety.stopDevice(); }},
-    {"Quit", [](InsertionControl&, gui::SafetyStop& safety) { safety.end(); }},
+    {"Quit", [](InsertionControl&, gui::SafetyStop& safety) { safety.end(); }, 0, 1},
 };
 
 session::Scenario pushingScenario()
@@ -102,15 +103,18 @@ TEST_P(InstalledPluginThatPushes, EndsWithoutForce)
   // The wall pushes back on the array.
   ASSERT_TRUE(waitForWindow([this] { return std::fabs(listener_.force()) > 0.05; }));
 
-  GetParam().go(control_, safety_);
-  // The window's thread does nothing more: neither its timer nor update() runs.
-  std::this_thread::sleep_for(std::chrono::milliseconds(GetParam().delay_ms));
-  EXPECT_TRUE(waitUntil([this] { return listener_.force() == 0.0; }));
   const std::size_t received = listener_.forces().size();
-  // Twice the time after which the host itself would write zero.
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  const auto forces = listener_.forces();
-  for (std::size_t i = received; i < forces.size(); ++i) EXPECT_EQ(forces[i], 0.0);
+  GetParam().go(control_, safety_);
+  // The window's thread does nothing more: neither its timer nor update() runs. The loop goes on and
+  // writes zero, if it does not end.
+  const Way& way = GetParam();
+  EXPECT_TRUE(waitUntil([&] {
+    const auto forces = listener_.forces();
+    const auto last = forces.end() - std::min<std::ptrdiff_t>(std::ssize(forces), way.zeros);
+    return forces.size() >= received + way.ticks + std::size_t(way.zeros) &&
+           std::all_of(last, forces.end(), [](double force) { return force == 0.0; });
+  }));
+  EXPECT_EQ(listener_.force(), 0.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(InEveryWay, InstalledPluginThatPushes, testing::ValuesIn(ways),

@@ -49,7 +49,8 @@ compressed(packaging/debian/changelog changelog "${share}/doc/perilymph" program
 
 # The documents, in the structure of the tree, so that their links work.
 install(FILES LICENSE DESTINATION "${share}/doc/perilymph" COMPONENT program)
-file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md modules/README.md
+file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md
+  plugins/devices/*/README.md modules/README.md
   modules/*/README.md app/*/README.md resources/fonts/README.md)
 foreach(document IN LISTS documents)
   get_filename_component(place "${document}" DIRECTORY)

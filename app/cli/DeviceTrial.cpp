@@ -92,9 +92,13 @@ void showForces(device::HapticDevice& device, TickClock& clock, TrialOutcome& ou
   outcome.greatestTorque = trial.greatestTorque();
   if (trial.isOver()) return;
   print(
-      "Hold the device and its button: it pushes with at most {} N along each axis. Letting "
+      "Hold the device and its button: it pushes with at most {} N along each axis{}. Letting "
       "go of the button ends the push.\n",
-      fixed(trial.greatest(), 2));
+      fixed(trial.greatest(), 2),
+      device.traits().maxTorque > 0.0
+          ? ", then turns with at most " + fixed(trial.greatestTorque() * 1e3, 0) +
+                " mN.m about each"
+          : "");
   flushOutput();
   while (!trial.isOver() && !isInterrupted()) {
     clock.wait();

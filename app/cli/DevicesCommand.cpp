@@ -424,7 +424,8 @@ Result<void> devices(const DevicesOptions& options)
         return tryOut(plugin->file, options.json);
       std::string names;
       for (const device::FoundPlugin& plugin : plugins)
-        names += (names.empty() ? " Installed plug-ins: " : ", ") + plugin.name;
+        if (plugin.isUsable())
+          names += (names.empty() ? " Installed plug-ins: " : ", ") + plugin.name;
       return Error{found.error().message + names + (names.empty() ? "" : ".")};
     }
     outcome = tryOut(*found, options, json);

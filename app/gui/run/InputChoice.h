@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "gui/run/InsertionControl.h"
 #include "perilymph/device/DeviceRegistry.h"

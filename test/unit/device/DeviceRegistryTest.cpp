@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hid/DeviceSurvey.h"
+#include "hid/HidPort.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::device {
@@ -177,6 +178,44 @@ TEST_F(TwoSticks, AreNotTakenForEachOther)
   // The only one that is left is the one whose cable was moved.
   tree_.remove(left_);
   EXPECT_EQ(chosen(choice), "hidraw1");
+}
+
+constexpr const char* stickTape = "D: 0\nN: A stick\nI: 3 abcd 0001\nE: 000000.000000 3 80 80 00\n";
+
+TEST_F(TwoSticks, AreNotOpenedInPlaceOfEachOther)
+{
+  tree_.addTape("hidraw0", stickTape);
+  tree_.addTape("hidraw1", stickTape);
+  const auto port = hidPort(survey().devices.at(0).node, tree_.roots());
+  ASSERT_TRUE(port->open());
+  tree_.remove(left_);  // its cable is pulled; the other one lies on the table
+  const auto opened = port->open();
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message, HasSubstr("is not plugged in"));
+  RecordedTree::Device again = left_;
+  again.node = "hidraw9";
+  again.kernelName = "0003:ABCD:0001.0009";
+  tree_.add(again);
+  tree_.addTape("hidraw9", stickTape);
+  EXPECT_TRUE(port->open());
+}
+
+TEST(DeviceChoice, OpensTheOnlyDeviceOfItsModelAtAnotherPort)
+{
+  RecordedTree tree;
+  RecordedTree::Device device{"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick};
+  tree.add(device);
+  tree.addTape("hidraw0", stickTape);
+  const auto port = hidPort(surveyOf(tree).devices.at(0).node, tree.roots());
+  ASSERT_TRUE(port->open());
+  tree.remove(device);
+  EXPECT_FALSE(port->open());
+  device.node = "hidraw3";
+  device.kernelName = "0003:ABCD:0001.0004";
+  device.place = "usb-0000:00:14.0-7/input0";
+  tree.add(device);
+  tree.addTape("hidraw3", stickTape);
+  EXPECT_TRUE(port->open());
 }
 
 TEST(DeviceChoice, FollowsASerialNumberToAnotherPort)

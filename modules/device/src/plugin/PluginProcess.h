@@ -15,7 +15,8 @@
 
 namespace perilymph::device::plugin {
 
-/// A running host. UI thread, if nothing else is stated.
+/// A running host. One thread at a time, if nothing else is stated: the UI thread, or a worker that
+/// lists plug-ins.
 class PluginProcess {
 public:
   /// Starts a host and loads the library in it.

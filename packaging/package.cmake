@@ -49,7 +49,8 @@ compressed(packaging/debian/changelog changelog "${share}/doc/perilymph" program
 
 # The documents, in the structure of the tree, so that their links work.
 install(FILES LICENSE DESTINATION "${share}/doc/perilymph" COMPONENT program)
-file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md modules/README.md
+file(GLOB documents RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS README.md packaging/*.md plugins/*.md
+  plugins/devices/*/README.md modules/README.md
   modules/*/README.md app/*/README.md resources/fonts/README.md)
 foreach(document IN LISTS documents)
   get_filename_component(place "${document}" DIRECTORY)
@@ -68,7 +69,7 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/packaging/PerilymphConfigV
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
   "${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake" DESTINATION "${sdk}" COMPONENT sdk)
-install(DIRECTORY plugins/devices/example packaging/sdk/template
+install(DIRECTORY plugins/devices/example plugins/devices/paddle packaging/sdk/template
   DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
 compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-dev" sdk)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" COMPONENT program)

@@ -334,14 +334,15 @@ void addOutcomes(CLI::App& app, FileOptions& files, OutcomesOptions& options)
 
 void addDevices(CLI::App& app, FileOptions& files, DevicesOptions& options)
 {
-  CLI::App& command = *app.add_subcommand("devices", "List HID devices, or test one");
+  CLI::App& command = *app.add_subcommand("devices", "List devices and plug-ins, or test one");
   files.writes(
       command.add_option("--json", options.json, "Write the list and the test results (JSON)"));
   CLI::Option* test = command
                           .add_option("--test", options.test,
                                       "Test a device: measure its reports, then render small "
-                                      "forces (number of the node: 3 for hidraw3)")
-                          ->check(wholeNumber(0, 4095));
+                                      "forces (3 for hidraw3, its name or place, or an installed "
+                                      "plug-in)")
+                          ->type_name("DEVICE");
   files.writes(
       command
           .add_option("--capture", options.capture, "Record every report of the test with its time")

@@ -128,11 +128,11 @@ Result<void> outcomes(const OutcomesOptions& options, const CommandFiles& files)
 
 struct DevicesOptions {
   std::string json;
-  std::optional<int> test;  ///< Number of the node to test, as in /dev/hidraw3.
-  std::string capture;      ///< Recording file of the test's reports.
-  std::string plugin;       ///< Shared library of a plug-in to test.
-  std::string profile;      ///< The only device profile to use; empty: all.
-  std::string replay;       ///< Tape to be read instead of a device.
+  std::string test;     ///< Device to test: 3 for hidraw3, a name, a place; empty: none.
+  std::string capture;  ///< Recording file of the test's reports.
+  std::string plugin;   ///< Shared library of a plug-in to test.
+  std::string profile;  ///< The only device profile to use; empty: all.
+  std::string replay;   ///< Tape to be read instead of a device.
 };
 Result<void> devices(const DevicesOptions& options);
 

@@ -51,6 +51,11 @@ private:
 
 int ticks(double time) { return static_cast<int>(std::lround(time / timeStep)); }
 
+void noteButton(const device::DeviceSample& sample, TrialOutcome& outcome)
+{
+  outcome.wasPressed |= sample.isValid != 0 && (sample.buttons & device::graspButton) != 0;
+}
+
 void listen(device::HapticDevice& device, TickClock& clock, TrialOutcome& outcome)
 {
   print("Listening for {} s. Move the device.\n", fixed(listeningTime, 0));
@@ -61,6 +66,7 @@ void listen(device::HapticDevice& device, TickClock& clock, TrialOutcome& outcom
     const device::DeviceSample sample = device.read();
     ++outcome.samples;
     if (sample.isValid != 0 && sample.sequence != last) ++outcome.fresh;
+    noteButton(sample, outcome);
     last = sample.sequence;
     device.write({});
   }
@@ -74,7 +80,7 @@ std::string whyUntested(device::HapticDevice& device, const TrialOutcome& outcom
   if (health ? health->reading.fresh == 0 : outcome.fresh == 0) return "no report came";
   constexpr double stalled = 0.1;  // [s]
   if (health && health->reading.silence > stalled) return "the reports ended";
-  const bool wasPushed = outcome.forces[static_cast<std::size_t>(axis)].peak > 0.0;
+  const bool wasPushed = outcome.forces.at(static_cast<std::size_t>(axis)).peak > 0.0;
   return wasPushed ? "no push was finished: the button was let go, or reports were missing"
                    : "the button was not held";
 }
@@ -83,19 +89,34 @@ void showForces(device::HapticDevice& device, TickClock& clock, TrialOutcome& ou
 {
   haptics::ForceTrial trial(device.traits(), timeStep);
   outcome.greatest = trial.greatest();
+  outcome.greatestTorque = trial.greatestTorque();
   if (trial.isOver()) return;
   print(
-      "Hold the device and its button: it pushes with at most {} N along each axis. Letting "
+      "Hold the device and its button: it pushes with at most {} N along each axis{}. Letting "
       "go of the button ends the push.\n",
-      fixed(trial.greatest(), 2));
+      fixed(trial.greatest(), 2),
+      device.traits().maxTorque > 0.0
+          ? ", then turns with at most " + fixed(trial.greatestTorque() * 1e3, 0) +
+                " mN.m about each"
+          : "");
   flushOutput();
   while (!trial.isOver() && !isInterrupted()) {
     clock.wait();
-    device.write(trial.step(device.read()));
+    const device::DeviceSample sample = device.read();
+    noteButton(sample, outcome);
+    device.write(trial.step(sample));
   }
   device.write({});
   outcome.forces = trial.results();
   if (!trial.isDone()) outcome.untested = whyUntested(device, outcome, trial.axis());
+}
+
+int actuatedAxes(const device::DeviceTraits& traits)
+{
+  int count = 0;
+  for (int i = 0; i < 3; ++i)
+    count += (traits.pushesAlong(i) ? 1 : 0) + (traits.turnsAbout(i) ? 1 : 0);
+  return count;
 }
 
 Result<TrialOutcome> tryOpened(device::HapticDevice& device)
@@ -107,7 +128,8 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& device)
 
   TrialOutcome outcome;
   outcome.traits = device.traits();
-  outcome.axes = outcome.traits.rendersForce ? outcome.traits.actuatedTranslations : 0;
+  outcome.axes = actuatedAxes(outcome.traits);
+  outcome.canBePressed = outcome.traits.buttons > 0;
   if (outcome.axes > 0) {
     outcome.stiffness = haptics::couplingLimit(outcome.traits, timeStep).stiffness;
     outcome.passiveHandleDamping = haptics::passiveHandleDamping(
@@ -127,8 +149,20 @@ Result<TrialOutcome> tryOpened(device::HapticDevice& device)
 int TrialOutcome::axesShown() const
 {
   return static_cast<int>(std::count_if(forces.begin(), forces.end(), [](const auto& axis) {
-    return axis.isDone && axis.peak > minForce;
+    return axis.isDone && axis.peak > minForce;  // a torque of 1 mN.m is as clear
   }));
+}
+
+std::string TrialOutcome::shortcoming() const
+{
+  const auto reports =
+      health && !isPlugin ? health->reading.fresh : static_cast<std::uint64_t>(fresh);
+  if (reports == 0) return "no report came";
+  if (axesShown() < axes)
+    return "the force was rendered on " + std::to_string(axesShown()) + " of " +
+           std::to_string(axes) + " axes" + (untested.empty() ? "" : ": " + untested);
+  if (canBePressed && !wasPressed) return "the button was not pressed";
+  return {};
 }
 
 Result<TrialOutcome> tryDevice(const device::FoundDevice& found, const std::filesystem::path& tape)

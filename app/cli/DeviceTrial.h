@@ -21,16 +21,23 @@ struct TrialOutcome {
   double stiffness = 0.0;  ///< Maximum stiffness of the coupling at 1 kHz [N/m]; 0 without force.
   /// Damping that a handle needs for this stiffness and the shipped damping to be passive [N.s/m].
   double passiveHandleDamping = 0.0;
-  int axes = 0;                                     ///< Number of axes that render a force.
-  double greatest = 0.0;                            ///< Intended maximum force of the test [N].
-  std::array<haptics::ForceTrial::Axis, 3> forces;  ///< Results of the axes.
+  int axes = 0;                 ///< Number of axes that render a force or a torque.
+  double greatest = 0.0;        ///< Intended maximum force of the test [N].
+  double greatestTorque = 0.0;  ///< Intended maximum torque of the test [N.m].
+  /// Results along D's x, y, z, then about them.
+  std::array<haptics::ForceTrial::Axis, haptics::ForceTrial::axes> forces;
   /// A sentence: why the force was not tested on every axis; empty if it was.
   std::string untested;
-  int samples = 0;  ///< Samples read while listening.
-  int fresh = 0;    ///< Samples that were new and valid.
+  int samples = 0;            ///< Samples read while listening.
+  int fresh = 0;              ///< Samples that were new and valid.
+  bool wasPressed = false;    ///< The grasp button was held at some time.
+  bool canBePressed = false;  ///< The device has a button.
 
   /// Number of axes on which a force other than zero was rendered to the end.
   int axesShown() const;
+  /// A sentence: what the test found missing; empty if it passed: reports, the button, and the force
+  /// on every axis.
+  std::string shortcoming() const;
 };
 
 /// Opens the device, listens for three seconds, then renders at most 0.5 N on each axis while the

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "Commands.h"
@@ -7,6 +8,7 @@
 #include "JsonText.h"
 #include "Terminal.h"
 #include "perilymph/device/DeviceRegistry.h"
+#include "perilymph/device/PluginDevice.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Version.h"
 
@@ -44,6 +46,9 @@ std::string ability(const device::DeviceTraits& traits)
             fixed(traits.maxForce, 1) + " N";
   else
     text += "no force";
+  if (traits.maxTorque > 0.0)
+    text += ", torque on " + std::to_string(traits.actuatedRotations) + " axes up to " +
+            fixed(traits.maxTorque * 1e3, 0) + " mN.m";
   return text + ", a report every " + fixed(traits.nominalPeriod * 1e3, 1) + " ms";
 }
 
@@ -58,10 +63,46 @@ void printDevice(const FoundDevice& found)
   const device::HidNode& node = found.node;
   print("{}  {}  {}\n", node.path, device::identityText(node.identity),
         node.name.empty() ? found.kind : node.name);
+  if (!node.place.empty()) print("    At {}.\n", node.place);
   if (found.known)
     print("    {}, a {}: {}\n", found.known->name, found.kind, ability(found.known->traits));
   if (found.known) printProfile(*found.known);
   print("    {}\n", found.isUsable() ? "It may be opened." : found.obstacle);
+}
+
+/// What a named profile states, for its author, who may have no device at hand.
+void printSummary(const device::ProfileSummary& profile, bool isFitted)
+{
+  const device::KnownDevice& known = profile.device;
+  print("{}: {}, kind \"{}\", confidence {}\n", known.file, known.name, profile.kind,
+        known.confidence);
+  print("    {}\n", ability(known.traits));
+  print("    For {}.\n", profile.matches);
+  if (!isFitted) print("    The profile is valid. No connected device fits it.\n");
+}
+
+void printPlugin(const device::FoundPlugin& plugin)
+{
+  print("{}  {}\n", plugin.file, plugin.name);
+  if (!plugin.isUsable())
+    return print("    {}\n", static_cast<const std::string&>(plugin.obstacle));
+  print("    A plug-in: {}\n", ability(plugin.traits));
+  print("    It may be opened.\n");
+}
+
+Json described(const device::FoundPlugin& plugin)
+{
+  Json json = {{"file", plugin.file.string()},
+               {"name", plugin.name},
+               {"usable", plugin.isUsable()},
+               {"obstacle", static_cast<const std::string&>(plugin.obstacle)}};
+  if (!plugin.isUsable()) return json;
+  const device::DeviceTraits& traits = plugin.traits;
+  json["renders_force"] = traits.rendersForce;
+  json["max_force_N"] = traits.maxForce;
+  json["max_torque_N_m"] = traits.maxTorque;
+  json["nominal_period_s"] = traits.nominalPeriod;
+  return json;
 }
 
 Json described(const FoundDevice& found)
@@ -70,6 +111,7 @@ Json described(const FoundDevice& found)
   Json json;
   json["node"] = node.path.string();
   json["bus"] = node.bus;
+  json["place"] = node.place;
   json["vendor_id"] = node.identity.vendor;
   json["product_id"] = node.identity.product;
   json["interface"] = node.identity.interfaceNumber;
@@ -114,11 +156,27 @@ std::vector<std::string> limitsText(std::uint32_t limits)
 Json describedForces(const TrialOutcome& trial)
 {
   Json axes = Json::array();
-  for (int i = 0; i < trial.axes; ++i) {
-    const auto& axis = trial.forces[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& axis = trial.forces[i];
+    if (!axis.isActuated) continue;
     axes.push_back({{"axis", std::string(1, "xyz"[i])},
                     {"peak_N", axis.peak},
                     {"moved_mm", axis.moved * 1e3},
+                    {"done", axis.isDone},
+                    {"limited_by", limitsText(axis.limits)}});
+  }
+  return axes;
+}
+
+Json describedTorques(const TrialOutcome& trial)
+{
+  Json axes = Json::array();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& axis = trial.forces[i + 3];
+    if (!axis.isActuated) continue;
+    axes.push_back({{"axis", std::string(1, "xyz"[i])},
+                    {"peak_N_m", axis.peak},
+                    {"turned_deg", axis.moved * 180.0 / pi},
                     {"done", axis.isDone},
                     {"limited_by", limitsText(axis.limits)}});
   }
@@ -134,6 +192,7 @@ Json describedPlugin(const TrialOutcome& trial)
           {"renders_force", trial.traits.rendersForce},
           {"max_force_N", trial.traits.maxForce},
           {"nominal_period_s", trial.traits.nominalPeriod},
+          {"rate_per_s", trial.health ? trial.health->reading.overall.rate : 0.0},
           {"samples", trial.samples},
           {"fresh", trial.fresh},
           {"stiffest_coupling_N_m", trial.stiffness},
@@ -142,7 +201,10 @@ Json describedPlugin(const TrialOutcome& trial)
           {"force_axes_shown", trial.axesShown()},
           {"force_intended_N", trial.greatest},
           {"forces", describedForces(trial)},
+          {"torques", describedTorques(trial)},
           {"untested", trial.untested},
+          {"button_pressed", trial.wasPressed},
+          {"passed", trial.shortcoming().empty()},
           {"error", errorOf(trial)}};
 }
 
@@ -177,7 +239,10 @@ Json described(const TrialOutcome& trial)
           {"force_axes_shown", trial.axesShown()},
           {"force_intended_N", trial.greatest},
           {"forces", describedForces(trial)},
+          {"torques", describedTorques(trial)},
           {"untested", trial.untested},
+          {"button_pressed", trial.wasPressed},
+          {"passed", trial.shortcoming().empty()},
           {"error", health.error}};
 }
 
@@ -185,17 +250,22 @@ void printForce(const TrialOutcome& trial)
 {
   print("{:18} rendered on {} of {} axes{}\n", "force", trial.axesShown(), trial.axes,
         trial.untested.empty() ? "" : "; " + trial.untested);
-  for (int i = 0; i < trial.axes; ++i) {
-    const auto& axis = trial.forces[static_cast<std::size_t>(i)];
+  for (std::size_t i = 0; i < trial.forces.size(); ++i) {
+    const auto& axis = trial.forces[i];
+    if (!axis.isActuated) continue;
+    const bool isForce = i < 3;
     std::string limits;
     for (const std::string& limit : limitsText(axis.limits)) limits += "; " + limit;
     const std::string moved =
-        axis.moved > 0.0 ? "; the handle moved " + fixed(axis.moved * 1e3, 2) + " mm"
-                         : "; the handle did not move: hold it loosely to see the direction";
-    print("{:18} {}: {}\n", "", std::string(1, "xyz"[i]),
-          !axis.isDone ? "not tested"
-                       : fixed(axis.peak, 2) + " N of " + fixed(trial.greatest, 2) + " N written" +
-                             (axis.peak > 0.0 ? moved : "") + limits);
+        axis.moved == 0.0 ? "; the handle did not move: hold it loosely to see the direction"
+        : isForce         ? "; the handle moved " + fixed(axis.moved * 1e3, 2) + " mm"
+                          : "; the handle turned " + fixed(axis.moved * 180.0 / pi, 2) + " degrees";
+    const std::string written =
+        isForce ? fixed(axis.peak, 2) + " N of " + fixed(trial.greatest, 2) + " N written"
+                : fixed(axis.peak * 1e3, 1) + " mN.m of " + fixed(trial.greatestTorque * 1e3, 1) +
+                      " mN.m written";
+    print("{:18} {}{}: {}\n", "", isForce ? "" : "about ", std::string(1, "xyz"[i % 3]),
+          !axis.isDone ? "not tested" : written + (axis.peak > 0.0 ? moved : "") + limits);
   }
 }
 
@@ -206,10 +276,32 @@ std::string passiveFrom(const TrialOutcome& trial)
          " N.s/m or more";
 }
 
-void printPlugin(const TrialOutcome& trial)
+void printReports(const device::ReportTiming& timing)
+{
+  const auto ms = [](double time) { return fixed(time * 1e3, 3); };
+  print("{:18} {}/s; interval median {} ms, 99 % below {} ms, maximum {} ms\n", "reports",
+        fixed(timing.rate, 1), ms(timing.intervalMedian), ms(timing.intervalP99),
+        ms(timing.intervalMax));
+}
+
+void printButton(const TrialOutcome& trial)
+{
+  if (trial.canBePressed)
+    print("{:18} {}\n", "button", trial.wasPressed ? "pressed" : "not pressed");
+}
+
+void printVerdict(const TrialOutcome& trial)
+{
+  const std::string shortcoming = trial.shortcoming();
+  print("{:18} {}\n", "result", shortcoming.empty() ? "passed" : "not passed: " + shortcoming);
+}
+
+void printPluginTrial(const TrialOutcome& trial)
 {
   print("{}: {}\n", trial.traits.name, ability(trial.traits));
   print("{:18} {} of {} were fresh and valid\n", "samples", trial.fresh, trial.samples);
+  if (trial.health) printReports(trial.health->reading.overall);
+  printButton(trial);
   if (!errorOf(trial).empty()) print("{:18} {}\n", "", errorOf(trial));
   if (trial.axes == 0) return;
   print("{:18} stiffest coupling {} N/m{}\n", "by its traits", fixed(trial.stiffness, 0),
@@ -219,19 +311,17 @@ void printPlugin(const TrialOutcome& trial)
 
 void printTrial(const TrialOutcome& trial)
 {
-  if (trial.isPlugin || !trial.health) return printPlugin(trial);
+  if (trial.isPlugin || !trial.health) return printPluginTrial(trial);
   const device::DeviceHealth& health = *trial.health;
   const device::ReadingFigures& reading = health.reading;
   const auto ms = [](double time) { return fixed(time * 1e3, 3); };
-  const device::ReportTiming& timing = reading.overall;
-  print("{:18} {}/s; interval median {} ms, 99 % below {} ms, maximum {} ms\n", "reports",
-        fixed(timing.rate, 1), ms(timing.intervalMedian), ms(timing.intervalP99),
-        ms(timing.intervalMax));
+  printReports(reading.overall);
   print("{:18} {} fresh, {} lost, {} repeated, {} outdated, {} invalid\n", "", reading.fresh,
         reading.lost, reading.duplicates, reading.old, reading.foreign);
   if (health.reconnections > 0)
     print("{:18} {} reconnections during the test\n", "", health.reconnections);
   if (!health.error.empty()) print("{:18} {}\n", "", health.error);
+  printButton(trial);
   if (trial.axes == 0) return;
   const device::WritingFigures& writing = health.writing;
   print("{:18} median {} ms, 99 % below {} ms, maximum {} ms\n", "force output",
@@ -246,23 +336,58 @@ void printTrial(const TrialOutcome& trial)
   printForce(trial);
 }
 
-Result<FoundDevice> deviceOfNumber(const device::DeviceSurvey& survey, int number)
+/// The HID device to test: "3" is hidraw3, whether it can be used or not.
+Result<FoundDevice> deviceCalled(const device::DeviceSurvey& survey, const std::string& name)
 {
-  const std::string node = "hidraw" + std::to_string(number);
+  if (name.find_first_not_of("0123456789") != std::string::npos)
+    return device::findDevice(survey, name);
+  const std::string node = "hidraw" + name;
   for (const FoundDevice& found : survey.devices)
     if (found.node.path.filename() == node) return found;
   return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
 }
 
 /// Tests a plug-in, independently of HID devices.
-Result<void> tryOut(const std::string& plugin, const std::string& file)
+Result<void> tryOut(const std::filesystem::path& plugin, const std::string& file)
 {
   const auto trial = tryPlugin(plugin);
   if (!trial) return trial.error();
   printTrial(*trial);
+  printVerdict(*trial);
   if (file.empty()) return {};
-  const Json json = {{"version", version()}, {"plugin", plugin}, {"test", described(*trial)}};
+  const Json json = {
+      {"version", version()}, {"plugin", plugin.string()}, {"test", described(*trial)}};
   return writeWhole(file, jsonText(json));
+}
+
+Result<void> tryOut(const FoundDevice& found, const DevicesOptions& options, Json& json)
+{
+  if (found.known) printProfile(*found.known);
+  const auto trial = tryDevice(found, options.capture);
+  if (!trial) return trial.error();
+  json["test"] = described(*trial);
+  if (found.known) json["test"]["profile"] = found.known->file;
+  printTrial(*trial);
+  printVerdict(*trial);
+  if (!trial->health || trial->health->reading.fresh > 0) return {};
+  return Error{found.name() +
+               " sent no report during the test, so nothing was tested. Move it; check its cable "
+               "and, in its profile, 'reporting' and [input]."};
+}
+
+void printAll(const device::DeviceSurvey& survey, const std::vector<device::FoundPlugin>& plugins)
+{
+  if (survey.profile)
+    printSummary(*survey.profile,
+                 std::any_of(survey.devices.begin(), survey.devices.end(),
+                             [](const FoundDevice& found) { return found.known.has_value(); }));
+  if (survey.devices.empty()) print("No HID device is connected.\n");
+  for (const FoundDevice& found : survey.devices) printDevice(found);
+  for (const device::FoundPlugin& plugin : plugins) printPlugin(plugin);
+  if (plugins.empty()) print("No plug-in is installed.\n");
+  print("Plug-ins are installed in {}, for all users in {}.\n", device::pluginFolders().front(),
+        device::pluginFolders().back());
+  print(handsWithoutHardware);
 }
 
 }  // namespace
@@ -277,32 +402,34 @@ Result<void> devices(const DevicesOptions& options)
                             : device::surveyDevices(roots, options.profile);
   if (!surveyed) return surveyed.error();
   const device::DeviceSurvey& survey = *surveyed;
+  for (const std::string& error : survey.errors) printError("{}\n", error);
   Json json;
   json["version"] = version();
   json["build"] = buildId();
   json["devices"] = Json::array();
   for (const FoundDevice& found : survey.devices) json["devices"].push_back(described(found));
   json["profile_errors"] = survey.errors;
-  Result<void> outcome;
-  for (const std::string& error : survey.errors) printError("{}\n", error);
+  json["plugins"] = Json::array();
 
-  if (options.test) {
-    const auto found = deviceOfNumber(survey, *options.test);
-    if (!found) return found.error();
-    if (found->known) printProfile(*found->known);
-    const auto trial = tryDevice(*found, options.capture);
-    if (!trial) return trial.error();
-    json["test"] = described(*trial);
-    if (found->known) json["test"]["profile"] = found->known->file;
-    printTrial(*trial);
-    if (trial->health && trial->health->reading.fresh == 0)
-      outcome = Error{found->name() +
-                      " sent no report during the test, so nothing was tested. Move it; check its "
-                      "cable and, in its profile, 'reporting' and [input]."};
+  Result<void> outcome;
+  if (options.test.empty()) {
+    const std::vector<device::FoundPlugin> plugins = device::surveyPlugins();
+    for (const device::FoundPlugin& plugin : plugins) json["plugins"].push_back(described(plugin));
+    printAll(survey, plugins);
   } else {
-    if (survey.devices.empty()) print("No HID device is connected.\n");
-    for (const FoundDevice& found : survey.devices) printDevice(found);
-    print(handsWithoutHardware);
+    const auto found = deviceCalled(survey, options.test);
+    if (!found) {
+      const auto plugins = device::surveyPlugins();
+      if (const auto* plugin = device::pluginNamed(plugins, options.test))
+        return tryOut(plugin->file, options.json);
+      std::string names;
+      for (const device::FoundPlugin& plugin : plugins)
+        if (plugin.isUsable())
+          names += (names.empty() ? " Installed plug-ins: " : ", ") + plugin.name;
+      return Error{found.error().message + names + (names.empty() ? "" : ".")};
+    }
+    outcome = tryOut(*found, options, json);
+    if (!json.contains("test")) return outcome;
   }
   if (options.json.empty()) return outcome;
   const auto written = writeWhole(options.json, jsonText(json));

@@ -1863,16 +1863,8 @@
         <translation>Es kann nicht geladen werden: %1. Bauen Sie es für diesen Rechner.</translation>
     </message>
     <message>
-        <source>it exports no %1. It is no device plug-in, or one for a later program.</source>
-        <translation>Es exportiert kein %1. Es ist kein Geräte-Plug-in oder eines für ein späteres Programm.</translation>
-    </message>
-    <message>
         <source>%1() gives nothing.</source>
         <translation>%1() ergibt nichts.</translation>
-    </message>
-    <message>
-        <source>it speaks version %1 of the boundary; this program speaks %2. Build it against this program.</source>
-        <translation>Es spricht Version %1 der Schnittstelle; dieses Programm spricht %2. Bauen Sie es für dieses Programm.</translation>
     </message>
     <message>
         <source>one of its functions is missing. Fill in all of PerilymphDeviceV1.</source>
@@ -4745,6 +4737,50 @@
     <message>
         <source>%1 is no Slicer markups file with lines, angles, points or curves in LPS or RAS. Save them in Slicer as Markups JSON (.mrk.json).</source>
         <translation>%1 ist keine Markups-Datei von Slicer mit Linien, Winkeln, Punkten oder Kurven in LPS oder RAS. Speichern Sie sie in Slicer als Markups JSON (.mrk.json).</translation>
+    </message>
+    <message>
+        <source>There are %1 devices &apos;%2&apos;. Give the place of one: %3.</source>
+        <translation>Es gibt %1 Geräte „%2“. Geben Sie den Ort von einem an: %3.</translation>
+    </message>
+    <message>
+        <source>there is no such file. Check the path.</source>
+        <translation>die Datei gibt es nicht. Prüfen Sie den Pfad.</translation>
+    </message>
+    <message>
+        <source>it is not a file. Give the path of its library.</source>
+        <translation>es ist keine Datei. Geben Sie den Pfad der Bibliothek an.</translation>
+    </message>
+    <message>
+        <source>you may not read it. Give yourself the right: chmod u+r %1</source>
+        <translation>Sie dürfen die Datei nicht lesen. Geben Sie sich das Recht: chmod u+r %1</translation>
+    </message>
+    <message>
+        <source>every user of this machine may change it, and it would run with your rights. Take that right away: chmod o-w %1</source>
+        <translation>jeder Benutzer dieses Rechners darf die Datei ändern, und sie liefe mit Ihren Rechten. Entziehen Sie dieses Recht: chmod o-w %1</translation>
+    </message>
+    <message>
+        <source>every user of this machine may replace it, and it would run with your rights. Take that right away: chmod o-w %1</source>
+        <translation>jeder Benutzer dieses Rechners darf die Datei ersetzen, und sie liefe mit Ihren Rechten. Entziehen Sie dieses Recht: chmod o-w %1</translation>
+    </message>
+    <message>
+        <source>it is not a shared library of this machine. Build it, and give the .so file.</source>
+        <translation>es ist keine dynamische Bibliothek für diesen Rechner. Übersetzen Sie das Plug-in und geben Sie die .so-Datei an.</translation>
+    </message>
+    <message>
+        <source>it exports no %1. It is not a device plug-in.</source>
+        <translation>%1 wird nicht exportiert. Es ist kein Geräte-Plug-in.</translation>
+    </message>
+    <message>
+        <source>it is built for version %1 of PluginApi.h, this program for version %2. Build it with the header of this program.</source>
+        <translation>es ist für Version %1 von PluginApi.h übersetzt, dieses Programm für Version %2. Übersetzen Sie es mit dem Header dieses Programms.</translation>
+    </message>
+    <message>
+        <source>its greatest torque is %1 N.m; it must be 0 (no torque) or between 0.0001 and 10.</source>
+        <translation>sein größtes Drehmoment ist %1 N.m; zulässig sind 0 (kein Drehmoment) oder 0.0001 bis 10.</translation>
+    </message>
+    <message>
+        <source>its axes %1 do not match its counts: %2 axes that it pushes along and %3 that it turns about.</source>
+        <translation>seine Achsen %1 passen nicht zu den angegebenen Anzahlen: %2 Achsen mit Kraft und %3 mit Drehmoment.</translation>
     </message>
 </context>
 <context>
@@ -9671,6 +9707,30 @@
         <source>Profile %1, confidence %2. %3</source>
         <translation>Profil %1, Konfidenz %2. %3</translation>
     </message>
+    <message>
+        <source>Loading the installed plug-ins…</source>
+        <translation>Installierte Plug-ins werden geladen…</translation>
+    </message>
+    <message>
+        <source>No plug-in is installed.</source>
+        <translation>Es ist kein Plug-in installiert.</translation>
+    </message>
+    <message>
+        <source>Plug-ins are installed in %1, for all users in %2.</source>
+        <translation>Plug-ins werden in %1 installiert, für alle Benutzer in %2.</translation>
+    </message>
+    <message>
+        <source>%1 (chosen last)</source>
+        <translation>%1 (zuletzt gewählt)</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+    <message>
+        <source>Plug-in</source>
+        <translation>Plug-in</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::EarQuestion</name>
@@ -10043,10 +10103,6 @@
         <translation>Mausrad oder die Tasten ↑ und ↓ bewegen den Träger, solange er gehalten wird.</translation>
     </message>
     <message>
-        <source>List of connected devices and choice of the input device (H).</source>
-        <translation>Liste der angeschlossenen Geräte und Wahl des Eingabegeräts (H).</translation>
-    </message>
-    <message>
         <source>force feedback gain %1 ×</source>
         <translation>Kraftfaktor %1 ×</translation>
     </message>
@@ -10065,6 +10121,10 @@
     <message>
         <source>Array held</source>
         <translation>Träger gehalten</translation>
+    </message>
+    <message>
+        <source>Uses the device chosen last; shows the list if it is not there (list: H).</source>
+        <translation>Verwendet das zuletzt gewählte Gerät; zeigt die Liste, wenn es nicht da ist (Liste: H).</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,8 @@ def documents():
 PLACES = [("/usr/share/doc/perilymph-dev/examples/template", ROOT / "packaging/sdk/template"),
           ("/usr/share/doc/perilymph-dev/examples", ROOT / "plugins/devices"), ("/usr/share/perilymph", ROOT)]
 # Commands of a tutorial, run as written.
-RUN = ("perilymph-cli ", "perilymph ", "cp ", "sed ", "cmake -S ", "cmake --build build")
+RUN = ("perilymph-cli ", "perilymph ", "cp ", "rm ", "sed ", "cmake -S ", "cmake --build build", "cmake --install build",
+       "build/my-handle ", "export ")
 # Commands that take long or change the machine: only checked for existing files.
 CHECKED = ("cmake --preset ", "cmake --build --preset ", "ctest --preset ", "test/", "packaging/", "sudo apt install ")
 
@@ -53,7 +54,12 @@ def presets():
             for preset in json.loads((ROOT / "CMakePresets.json").read_text())[kind]}
 
 
-def run_line(case, line, folder, sdk):
+def run_line(case, line, folder, sdk, exported):
+    if line.startswith("export "):
+        name, value = line.removeprefix("export ").split("=")
+        exported[name] = value.replace("$PWD", folder)
+        return
+    line = line.replace("~/", f"{folder}/")
     for pattern, fewer in FEWER:
         line = pattern.sub(fewer, line)
     for installed, place in PLACES:
@@ -64,7 +70,9 @@ def run_line(case, line, folder, sdk):
     if words[0] == "perilymph" or " render " in line:
         words.insert(0, str(WITH_DISPLAY))
     env = {**os.environ, "PATH": f"{PROGRAMS}:{os.environ['PATH']}", "CMAKE_PREFIX_PATH": sdk,
-           "PERILYMPH_FEW_DRAWS": "1", "XDG_DATA_HOME": folder, "XDG_CONFIG_HOME": folder, "XDG_STATE_HOME": folder}
+           "PERILYMPH_FEW_DRAWS": "1", "HOME": folder, **exported}
+    for variable in ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"):
+        env.pop(variable, None)
     done = subprocess.run(words, cwd=folder, env=env, capture_output=True, text=True, timeout=240)
     case.assertEqual(done.returncode, 0, f"{line}\n{done.stdout[-500:]}{done.stderr[-500:]}")
 
@@ -156,12 +164,14 @@ class CommandsOfADocument(unittest.TestCase):
                                check=True, capture_output=True)
             if "--ct ct" in text:  # a patient's CT, as the reader has one
                 subprocess.run([PROGRAMS / "perilymph-ct-phantom", "1", Path(folder) / "ct", "clinical"], check=True)
+            exported = {}
             if DOCUMENT.suffix == ".1":
-                run_line(self, "perilymph-cli simulate --scenario contour-published --record session.insertion", folder, sdk)
+                run_line(self, "perilymph-cli simulate --scenario contour-published --record session.insertion", folder, sdk,
+                         exported)
             for line in commands(text):
                 if not line.startswith(CHECKED):
                     with self.subTest(command=line):
-                        run_line(self, line, folder, sdk)
+                        run_line(self, line, folder, sdk, exported)
 
 
 class CommandsOfTheDocuments(unittest.TestCase):
@@ -184,7 +194,7 @@ class CommandsOfTheDocuments(unittest.TestCase):
         for file in sorted((ROOT / "resources/guide").glob("*.md")):
             text = file.read_text()
             indented = [line.strip() for line in re.findall(r"^    (?! )([a-z./-]+ [^\n]*)$", text, re.MULTILINE)]
-            commandlike = [line for line in indented if re.match(r"(perilymph|cmake|ctest|ninja|cp|sed|sudo|test/|packaging/)", line)]
+            commandlike = [line for line in indented if re.match(r"(perilymph|cmake|ctest|ninja|cp|rm|sed|export|sudo|build/|test/|packaging/)", line)]
             self.assertEqual(sorted(commandlike), sorted(commands(text)), file.name)
 
     def test_scripts_that_tables_and_sentences_name_are_there(self):

@@ -3,11 +3,14 @@
 """The template of a device plug-in: built against an installed prefix, then run with a device at a serial line."""
 
 import ctypes
+import json
 import os
 import pty
+import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -89,21 +92,26 @@ class Template(unittest.TestCase):
             return read
 
         self.assertEqual(sample().is_valid, 0)  # nothing came yet
-        os.write(end, b"1000 -2000 500 1\nnonsense\n1500 -20")
+        os.write(end, b"1000 -2000 500 0 0 0 1\nnonsense\n1500 -20")
         first = sample()
         self.assertEqual((first.is_valid, first.sequence, first.buttons, first.size),
                          (1, 1, 1, ctypes.sizeof(Sample)))
         for got, wanted in zip(first.position, (1e-3, -2e-3, 0.5e-3)):
             self.assertAlmostEqual(got, wanted, 12)
-        self.assertEqual(first.rotation[0], 1.0)
-        os.write(end, b"00 0 0\n")
+        self.assertEqual(list(first.rotation), [1.0, 0.0, 0.0, 0.0])
+        os.write(end, b"00 0 0 0 0\n")  # a line of six numbers is no sample
+        self.assertEqual(sample().sequence, 1)
+        os.write(end, b"1500 -2000 0 0 1570796 0 0\n")
         second = sample()
         self.assertEqual((second.sequence, second.buttons), (2, 0))
         self.assertAlmostEqual(second.position[0], 1.5e-3, 12)
+        # a quarter of a turn about y: cos 45 degrees, 0, sin 45 degrees, 0
+        for got, wanted in zip(second.rotation, (0.5 ** 0.5, 0.0, 0.5 ** 0.5, 0.0)):
+            self.assertAlmostEqual(got, wanted, 6)
 
-        force = Wrench(size=ctypes.sizeof(Wrench), force=(0.25, -0.1, 0.0))
-        self.assertEqual(plugin.write(device, ctypes.byref(force)), 0)
-        self.assertEqual(os.read(end, 100), b"250 -100 0\n")
+        wrench = Wrench(size=ctypes.sizeof(Wrench), force=(0.25, -0.1, 0.0), torque=(0.0, 0.01, -0.02))
+        self.assertEqual(plugin.write(device, ctypes.byref(wrench)), 0)
+        self.assertEqual(os.read(end, 100), b"250 -100 0 0 10000 -20000\n")
 
         os.close(end)  # the cable
         os.close(port)
@@ -111,11 +119,103 @@ class Template(unittest.TestCase):
         plugin.close(device)
         plugin.destroy(device)
 
+    def test_an_older_program_with_a_shorter_struct_is_not_written_beyond_it(self):
+        library = ctypes.CDLL(str(self.plugin))
+        library.perilymph_device_v1.restype = ctypes.POINTER(Functions)
+        plugin = library.perilymph_device_v1().contents
+        device = plugin.create()
+        for size, torque in ((168, 0.0), (184, 0.05)):  # without, and with the appended members
+            memory = (ctypes.c_ubyte * 200)(*([0] * 200))
+            ctypes.c_uint32.from_buffer(memory).value = size
+            self.assertEqual(plugin.traits(device, ctypes.addressof(memory)), 0)
+            self.assertEqual(ctypes.c_double.from_buffer(memory, 168).value, torque)
+            self.assertFalse(any(memory[size:]))
+        plugin.destroy(device)
+
     def test_without_its_device_it_says_which_port_was_tried(self):
         done = run(PROGRAMS / "perilymph-cli", "devices", "--plugin", self.plugin,
                    env=dict(os.environ, MY_DEVICE_PORT="/dev/nothing-here"))
         self.assertEqual(done.returncode, 1)
         self.assertIn("My device at /dev/nothing-here cannot be opened", done.stderr)
+
+
+GUIDE = Path(__file__).resolve().parents[2] / "resources/guide/plugins.md"
+
+
+class Guide(unittest.TestCase):
+    """What a first-time user types, in the guide's order: build, install, list, test, remove."""
+
+    @classmethod
+    def setUpClass(cls):
+        text = GUIDE.read_text()
+        section = re.search(r"^### Build, install, choose, remove.*?(?=^### )", text, re.MULTILINE | re.DOTALL).group(0)
+        cls.lines = re.findall(r"^    (\S[^\n]*)$", section, re.MULTILINE)
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.prefix = Path(cls.scratch.name) / "prefix"
+        run("cmake", "--install", BUILD, "--component", "sdk", "--prefix", cls.prefix, check=True)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def play(self, folder, data_home=None, after=""):
+        """Runs the guide's lines in one shell, each with a mark before its output; the outputs by line."""
+        lines = [line for line in self.lines if not line.startswith("perilymph ")]  # the window: test/app/documents_test.py
+        place = f"{data_home}/perilymph" if data_home else f"{folder}/.local/share/perilymph"
+        script = ["set -e", f"cd {folder}"]
+        for line in lines:
+            line = line.replace("/usr/share", f"{self.prefix}/share").replace("~/.local/share/perilymph", place)
+            script += [f"echo '$ {line}'", line]
+            if line == "perilymph-cli devices --test my-device":
+                script += ["perilymph-cli devices --test my-device --json test.json >/dev/null"]
+        script += ["echo '$ after'", "perilymph-cli devices --json after.json", after]
+        env = {**os.environ, "HOME": str(folder), "PATH": f"{PROGRAMS}:{os.environ['PATH']}",
+               "CMAKE_PREFIX_PATH": str(self.prefix)}
+        for variable in ("XDG_DATA_HOME", "MY_DEVICE_PORT"):
+            env.pop(variable, None)
+        if data_home:
+            env["XDG_DATA_HOME"] = str(data_home)
+        began = time.monotonic()
+        done = subprocess.run(["bash", "-c", "\n".join(script)], env=env, capture_output=True, text=True, timeout=280)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertLess(time.monotonic() - began, 600.0)  # the ten minutes of the guide
+        parts = re.split(r"^\$ (.*)\n", done.stdout, flags=re.MULTILINE)[1:]
+        return dict(zip(parts[::2], parts[1::2]))
+
+    def test_leads_from_the_template_to_a_tested_plugin_and_back(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as data_home:
+            outputs = self.play(Path(folder), Path(data_home))
+            listed = outputs["perilymph-cli devices"]
+            self.assertIn(f"{data_home}/perilymph/plugins/my-device.so  My device", listed)
+            self.assertIn("3 shifts and 3 turns sensed, force on 3 axes up to 1.0 N, torque on 3 axes up to 50 mN.m", listed)
+            self.assertIn("It may be opened.", listed)
+            tested = outputs["perilymph-cli devices --test my-device"]
+            self.assertRegex(tested, r"result +passed")
+            self.assertRegex(tested, r"force +rendered on 6 of 6 axes")
+            self.assertRegex(tested, r"button +pressed")
+            self.assertRegex(tested, r"reports +\d+\.\d/s; interval median")
+            self.assertNotIn("my-device", outputs["after"])
+            self.assertIn("No plug-in is installed.", outputs["after"])
+
+            test = json.loads((Path(folder) / "test.json").read_text())["test"]
+            self.assertTrue(test["passed"] and test["button_pressed"])
+            # A fifth of 1 N moves a grip of 100 N/m by 2 mm; less is seen if a push began again while the handle came back.
+            for axis in test["forces"]:
+                self.assertAlmostEqual(axis["peak_N"], 0.2, delta=0.02)
+                self.assertTrue(0.2 < axis["moved_mm"] < 2.4, axis)
+            # A fifth of 50 mN.m against 0.1 N.m for a radian: 5.7 degrees.
+            self.assertEqual([axis["axis"] for axis in test["torques"]], ["x", "y", "z"])
+            for axis in test["torques"]:
+                self.assertAlmostEqual(axis["peak_N_m"], 0.01, delta=0.001)
+                self.assertTrue(0.6 < axis["turned_deg"] < 6.9, axis)
+            after = json.loads((Path(folder) / "after.json").read_text())
+            self.assertEqual(after["plugins"], [])
+
+    def test_works_without_a_data_home_of_its_own(self):
+        with tempfile.TemporaryDirectory() as folder:
+            outputs = self.play(Path(folder))
+            self.assertIn(f"{folder}/.local/share/perilymph/plugins/my-device.so  My device", outputs["perilymph-cli devices"])
+            self.assertNotIn("my-device", outputs["after"])
 
 
 if __name__ == "__main__":

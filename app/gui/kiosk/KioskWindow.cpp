@@ -13,6 +13,7 @@
 #include "gui/kiosk/ArrayTour.h"
 #include "gui/kiosk/DayView.h"
 #include "gui/kiosk/LevelGauge.h"
+#include "gui/run/InputChoice.h"
 #include "gui/scene/OperationView.h"
 #include "gui/setup/StopTravel.h"
 #include "gui/text/ChartLabels.h"
@@ -314,6 +315,8 @@ void KioskWindow::stepAttract()
 void KioskWindow::chooseHandle()
 {
   if (control_.input() == InputSource::device) return beginTurn(InputSource::pointer);
+  // The device chosen in the workstation, else any.
+  if (auto remembered = rememberedInput()) return useDevice(*std::move(remembered));
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   const auto found = std::find_if(survey.devices.begin(), survey.devices.end(),
                                   [](const device::FoundDevice& each) { return each.isUsable(); });
@@ -332,6 +335,7 @@ void KioskWindow::beginTurn(InputSource input)
 {
   const device::DeviceSurvey survey = device::surveyDevices(device::systemRoots());
   screen_->offerHandle(
+      rememberedInput().has_value() ||
       std::any_of(survey.devices.begin(), survey.devices.end(),
                   [](const device::FoundDevice& each) { return each.isUsable(); }));
   if (input == InputSource::scripted) input = InputSource::pointer;

@@ -84,7 +84,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string file, record, plugin, screenshot, study, plan, report, ct, igtl, bone;
+  std::string file, record, plugin, device, screenshot, study, plan, report, ct, igtl, bone;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
@@ -103,6 +103,13 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                      "Device plug-in used as input device; it runs with your rights")
           ->type_name("FILE.so")
           ->excludes(demoOption);
+  auto* deviceOption =
+      app.add_option("--device", device,
+                     "Input device: its name or place, or the name of an installed plug-in, as "
+                     "listed by perilymph-cli devices")
+          ->type_name("DEVICE")
+          ->excludes(demoOption)
+          ->excludes(pluginOption);
   auto* studyOption = app.add_option("--study", study, "Open the result of a study")
                           ->type_name("FILE.sqlite")
                           ->excludes(demoOption);
@@ -148,7 +155,8 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
       app.add_flag("--measure-frames", options.measuresFrames,
                    "Run the demo, or filter the study, print frame times, then exit")
           ->excludes(screenshotOption)
-          ->excludes(pluginOption);
+          ->excludes(pluginOption)
+          ->excludes(deviceOption);
   auto* boneOption =
       app.add_option("--bone", bone,
                      "With --measure-frames: open this CT and turn its bone instead of the demo")
@@ -170,6 +178,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
       ->excludes(demoOption)
       ->excludes(recordOption)
       ->excludes(pluginOption)
+      ->excludes(deviceOption)
       ->excludes(studyOption)
       ->excludes("--measure-frames");
   for (const char* other : {"--demo", "--study", "--plan", "--kiosk", "--measure-frames"})
@@ -193,6 +202,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   if (reportOption->count() > 0) options.report = report;
   if (ctOption->count() > 0) options.ct = ct;
   if (pluginOption->count() > 0) options.plugin = plugin;
+  if (deviceOption->count() > 0) options.device = device;
   if (igtlOption->count() > 0) options.igtl = *broadcast::parseEndpoint(igtl);
   if (screenshotOption->count() > 0) options.screenshot = screenshot;
   return options;

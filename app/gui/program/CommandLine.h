@@ -26,6 +26,7 @@ struct CommandLine {
   std::optional<std::filesystem::path> ct;      ///< CT of whose study a DICOM report is a part.
   bool isCtNotCompared = false;  ///< A plan that states no series may be filed there.
   std::optional<std::filesystem::path> plugin;  ///< A device plug-in to use as input device.
+  std::optional<std::string> device;  ///< Name or place of the input device, or name of a plug-in.
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::string> language;      ///< "en", "de" or "system", for this call only.
   std::optional<std::string> quality;       ///< auto, fast, balanced or full; by default the stored

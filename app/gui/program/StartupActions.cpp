@@ -12,6 +12,7 @@
 #include "gui/program/FrameBenchmark.h"
 #include "gui/program/ProcessUptime.h"
 #include "gui/program/StudyBenchmark.h"
+#include "gui/run/InputChoice.h"
 #include "gui/shell/MainWindow.h"
 #include "perilymph/foundation/AtomicFile.h"
 
@@ -50,6 +51,7 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
   const bool isDemo = options.isDemo || (options.measuresFrames && !options.study && !options.bone);
   QObject::connect(&window, &MainWindow::firstFrameShown, &window, [&window, options, isDemo] {
     if (options.plugin) window.insertion().useDevice(*options.plugin);
+    if (options.device) window.insertion().useDevice(inputNamed(*options.device));
     if (isDemo) {
       std::printf("first frame after %.1f s\n", processUptime_s());
       std::fflush(stdout);

@@ -9,6 +9,7 @@
 #include "gui/pages/insert/InsertPage.h"
 #include "gui/pages/insert/InsertionController.h"
 #include "gui/pages/insert/InsertionViews.h"
+#include "gui/run/InputChoice.h"
 #include "gui/run/WorkflowPredicates.h"
 #include "gui/scene/OperationView.h"
 #include "gui/shell/AboutOverlay.h"
@@ -37,10 +38,25 @@ OverlayStack::OverlayStack(InsertionController& insertion, InsertPage& page, Nav
   connect(settings_, &SettingsOverlay::closeRequested, this, &OverlayStack::toggleSettings);
   connect(settings_, &SettingsOverlay::chosen, this, &OverlayStack::settingChosen);
   connect(about_, &AboutOverlay::closeRequested, this, &OverlayStack::toggleAbout);
-  connect(&page, &InsertPage::devicesRequested, this, &OverlayStack::toggleDevices);
+  connect(&page, &InsertPage::devicesRequested, this, &OverlayStack::useDevice);
   connect(devices_, &DevicePage::closeRequested, this, &OverlayStack::toggleDevices);
-  connect(devices_, &DevicePage::deviceChosen, this,
-          [this](const device::FoundDevice& found) { insertion_.useDevice(found); });
+  connect(devices_, &DevicePage::deviceChosen, this, [this](const device::FoundDevice& found) {
+    rememberInput(found);
+    insertion_.useDevice(found);
+  });
+  connect(devices_, &DevicePage::pluginChosen, this, [this](const device::FoundPlugin& plugin) {
+    rememberInput(plugin.file);
+    insertion_.useDevice(plugin.file);
+  });
+}
+
+void OverlayStack::useDevice()
+{
+  const bool isInUse = insertion_.control().input() == InputSource::device;
+  const auto remembered = isInUse ? std::nullopt : rememberedInput();
+  if (!remembered) return toggleDevices();
+  insertion_.useDevice(*remembered);
+  page_.showInput();
 }
 
 void OverlayStack::toggleDevices()
@@ -107,10 +123,12 @@ void OverlayStack::place()
   help_->place();
 }
 
-/// In the middle of the 3D view as far as it is wide enough.
+/// In the middle of the 3D view as far as it is wide enough, and above the buttons below it.
 void OverlayStack::placeDevices()
 {
   const OperationView& view = *page_.views().operation();
+  devices_->fitAbove(view.isVisible() ? view.mapTo(&page_, view.rect().bottomLeft()).y()
+                                      : page_.height());
   const QPoint corner = view.mapTo(&page_, view.rect().center()) - devices_->rect().center();
   const int right = std::max(0, page_.width() - devices_->width());
   devices_->move(std::clamp(corner.x(), 0, right), std::max(0, corner.y()));

@@ -25,6 +25,8 @@ public:
 
   Help& help() { return *help_; }
   void toggleDevices();
+  /// Uses the device that was chosen last; shows the list if it is not there, or in use already.
+  void useDevice();
   void toggleSettings();
   /// Shows the settings, with the focus in the archives.
   void showServers();

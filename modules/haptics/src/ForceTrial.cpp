@@ -8,46 +8,75 @@ namespace perilymph::haptics {
 
 namespace {
 
+/// At most a fifth of what the device can.
+double greatestFor(double ofDevice, double ofTrial) noexcept
+{
+  return ofDevice > 0.0 ? std::min(ofTrial, 0.2 * ofDevice) : ofTrial;
+}
+
+/// Limits for a push of this strength [N] or [N.m].
 SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) noexcept
 {
   SafetyLimits limits = limitsFor({}, traits);
   limits.maxForce = greatest;
-  limits.maxSlew = 10.0;
+  limits.maxSlew = 20.0 * greatest;  // the push itself rises by at most 3.1 of it per second
   // The force profile itself rises slowly from zero.
   limits.rampTime = 0.1;
   return limits;
 }
 
-double greatestFor(const device::DeviceTraits& traits) noexcept
+/// Rotation about an axis of D between two orientations [rad], for the small ones of a push: twice the
+/// sine of half the angle, 0.4 % less than the angle at 0.3 rad.
+double turnAbout(int axis, const Eigen::Quaterniond& from_D,
+                 const Eigen::Quaterniond& to_D) noexcept
 {
-  const double fraction = traits.maxForce > 0.0 ? 0.2 * traits.maxForce : ForceTrial::maxForce;
-  return std::min(ForceTrial::maxForce, fraction);
+  const Eigen::Quaterniond turn = to_D * from_D.conjugate();
+  return turn.w() < 0.0 ? -2.0 * turn.vec()[axis] : 2.0 * turn.vec()[axis];
 }
 
 }  // namespace
 
 ForceTrial::ForceTrial(const device::DeviceTraits& traits, double timeStep)
     : timeStep_(timeStep),
-      greatest_(greatestFor(traits)),
-      axes_(traits.rendersForce ? std::clamp(traits.actuatedTranslations, 0, 3) : 0),
+      greatest_(greatestFor(traits.maxForce, maxForce)),
+      greatestTorque_(greatestFor(traits.maxTorque, maxTorque)),
       validator_(timeStep, traits.nominalPeriod),
-      safety_(limitsOfTrial(traits, greatest_), timeStep)
+      safety_(limitsOfTrial(traits, greatest_), timeStep),
+      torqueSafety_(limitsOfTrial(traits, greatestTorque_), timeStep)
 {
+  for (int i = 0; i < 3; ++i) {
+    results_[static_cast<std::size_t>(i)].isActuated = traits.pushesAlong(i);
+    results_[static_cast<std::size_t>(i + 3)].isActuated = traits.turnsAbout(i);
+  }
+  skipFixedAxes();
+}
+
+void ForceTrial::skipFixedAxes() noexcept
+{
+  while (axis_ < axes && !results_[static_cast<std::size_t>(axis_)].isActuated) ++axis_;
+}
+
+double ForceTrial::placeOf(const HandState& hand) const noexcept
+{
+  return axis_ < 3 ? hand.position_D[axis_]
+                   : turnAbout(axis_ - 3, beginRotation_D_, hand.rotation_D);
 }
 
 void ForceTrial::note(const HandState& hand, double wanted, double shown,
                       std::uint32_t limits) noexcept
 {
   Axis& result = results_[static_cast<std::size_t>(axis_)];
-  const double place = hand.position_D[axis_];
   if (time_ == 0.0) {  // also after an interruption
-    begin_ = place;
+    beginRotation_D_ = hand.rotation_D;
+    begin_ = placeOf(hand);
     result = {};
+    result.isActuated = true;
   }
   result.peak = std::max(result.peak, shown);
-  result.moved = std::max(result.moved, std::fabs(place - begin_));
+  result.moved = std::max(result.moved, std::fabs(placeOf(hand) - begin_));
   // Only around the middle, where the peak is determined.
-  if (wanted > 0.5 * greatest_ && shown < 0.98 * wanted) result.limits |= limits;
+  const double greatest = axis_ < 3 ? greatest_ : greatestTorque_;
+  if (wanted > 0.5 * greatest && shown < 0.98 * wanted) result.limits |= limits;
 }
 
 device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
@@ -59,8 +88,10 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   // 0 at both ends of the second, 1 in its middle, smooth
   const double fraction = time_ / timeForAxis;
   const double hump = 16.0 * fraction * fraction * (1.0 - fraction) * (1.0 - fraction);
-  Eigen::Vector3d wanted_D = Eigen::Vector3d::Zero();
-  if (isHeld_) wanted_D[axis_] = greatest_ * hump;
+  Eigen::Vector3d force_D = Eigen::Vector3d::Zero(), torque_D = Eigen::Vector3d::Zero();
+  if (isHeld_ && axis_ < 3) force_D[axis_] = greatest_ * hump;
+  if (isHeld_ && axis_ >= 3) torque_D[axis_ - 3] = greatestTorque_ * hump;
+  const double wanted = force_D.sum() + torque_D.sum();
 
   HandCondition condition;
   condition.moved_D = hand.moved_D;
@@ -70,8 +101,11 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   condition.hasFault = hand.isLost;
   condition.hasJumped = hand.hasJumped;
   std::uint32_t limits = 0;
-  const Eigen::Vector3d shown_D = safety_.show(wanted_D, condition, limits);
-  if (isHeld_) note(hand, wanted_D[axis_], shown_D[axis_], limits);
+  force_D = safety_.show(force_D, condition, limits);
+  // The passivity of a force is about motion along it, not about rotation.
+  condition.moved_D.setZero();
+  torque_D = torqueSafety_.show(torque_D, condition, limits);
+  if (isHeld_) note(hand, wanted, axis_ < 3 ? force_D[axis_] : torque_D[axis_ - 3], limits);
 
   time_ = isHeld_ ? time_ + timeStep_ : 0.0;
   if (!isOver()) spent_ += timeStep_;
@@ -80,9 +114,13 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
     spent_ = 0.0;
     results_[static_cast<std::size_t>(axis_)].isDone = true;
     ++axis_;
+    skipFixedAxes();
   }
   device::Wrench wrench_D;
-  for (int i = 0; i < 3; ++i) wrench_D.force_D[static_cast<std::size_t>(i)] = shown_D[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    wrench_D.force_D[i] = force_D[static_cast<Eigen::Index>(i)];
+    wrench_D.torque_D[i] = torque_D[static_cast<Eigen::Index>(i)];
+  }
   return wrench_D;
 }
 

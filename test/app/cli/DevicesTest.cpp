@@ -53,9 +53,111 @@ TEST(Devices, CannotTestAMissingDevice)
   EXPECT_THAT(outcome.err, HasSubstr("no hidraw7"));
 }
 
-TEST(Devices, TakeANumberForTheTest)
+TEST(Devices, NamesWhatIsThereForATestOfAnother)
 {
-  EXPECT_EQ(devicesIn(RecordedTree(), {"--test", "mouse"}).status, 2);
+  const auto outcome = devicesIn(RecordedTree(), {"--test", "mouse"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("There is no device 'mouse'."));
+}
+
+TEST(Devices, OfOneModelAreListedWithTheirPlaces)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0002.0001", "Some handle", "hidraw0", "00"});
+  tree.add({.kernelName = "0003:ABCD:0002.0002",
+            .name = "Some handle",
+            .node = "hidraw1",
+            .interface = "00",
+            .place = "usb-0000:00:14.0-4/input0"});
+  const TemporaryFolder folder;
+  const auto file = folder / "devices.json";
+  const auto outcome = devicesIn(tree, {"--json", file.string()});
+  EXPECT_THAT(outcome.out, HasSubstr("At usb-0000:00:14.0-1/input0."));
+  EXPECT_THAT(outcome.out, HasSubstr("At usb-0000:00:14.0-4/input0."));
+  EXPECT_THAT(contentOf(file), HasSubstr("\"place\": \"usb-0000:00:14.0-4/input0\""));
+}
+
+TEST(Devices, AreNotNeededToReadAProfile)
+{
+  const auto outcome = devicesIn(RecordedTree(), {"--profile", "paddle"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out,
+              HasSubstr("paddle.toml: Haptic paddle, kind \"vector\", confidence low"));
+  EXPECT_THAT(outcome.out, HasSubstr("1 shifts and 0 turns sensed, force on 1 axes up to 1.5 N"));
+  EXPECT_THAT(outcome.out, HasSubstr("For usage page 0xffa1, usage 0x50."));
+  EXPECT_THAT(outcome.out, HasSubstr("The profile is valid. No connected device fits it."));
+}
+
+/// A folder of the user's own files with plug-ins in it.
+class InstalledPlugin : public testing::Test {
+protected:
+  void install(const std::filesystem::path& file, const std::string& name)
+  {
+    std::filesystem::create_directories(folder());
+    std::filesystem::copy_file(file, folder() / name);
+  }
+  std::filesystem::path folder() const { return user_ / "perilymph" / "plugins"; }
+  ProgramOutcome devices(std::vector<std::string> more = {})
+  {
+    std::vector<std::string> arguments = {"devices", "--json", json().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ProgramCall call = cliCall(std::move(arguments));
+    call.environment.emplace_back("PERILYMPH_SYSTEM_ROOT", tree_.root().string());
+    call.environment.emplace_back("XDG_DATA_HOME", user_.path().string());
+    return run(call);
+  }
+  std::filesystem::path json() const { return user_ / "devices.json"; }
+
+  RecordedTree tree_;
+  const TemporaryFolder user_;
+};
+
+TEST_F(InstalledPlugin, IsNoneBeforeAndAfter)
+{
+  EXPECT_THAT(devices().out, HasSubstr("No plug-in is installed."));
+  EXPECT_THAT(devices().out, HasSubstr("Plug-ins are installed in " + folder().string()));
+  install(examplePlugin(), "lab.so");
+  EXPECT_THAT(devices().out, HasSubstr((folder() / "lab.so").string() + "  Example handle"));
+  EXPECT_THAT(contentOf(json()), HasSubstr("\"name\": \"Example handle\""));
+  std::filesystem::remove(folder() / "lab.so");
+  EXPECT_THAT(devices().out, HasSubstr("No plug-in is installed."));
+}
+
+TEST_F(InstalledPlugin, IsTestedByItsName)
+{
+  install(examplePlugin(), "lab.so");
+  for (const char* name : {"lab", "Example handle"}) {
+    const auto outcome = devices({"--test", name});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("rendered on 1 of 1 axes"));
+    EXPECT_THAT(contentOf(json()), HasSubstr("\"passed\": true"));
+  }
+}
+
+TEST_F(InstalledPlugin, ThatIsRefusedIsListedWithTheReason)
+{
+  install(examplePlugin(), "open.so");
+  std::filesystem::permissions(folder() / "open.so", std::filesystem::perms::others_write,
+                               std::filesystem::perm_options::add);
+  std::ofstream(folder() / "text.so") << "no library";
+  install(testPlugin("faulty_laterEntry"), "later.so");
+  const auto outcome = devices();
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("chmod o-w " + (folder() / "open.so").string()));
+  EXPECT_THAT(outcome.out, HasSubstr("text.so is not taken: it is not a shared library"));
+  EXPECT_THAT(outcome.out, HasSubstr("built for version 3 of PluginApi.h"));
+  const auto tested = devices({"--test", "later"});
+  EXPECT_EQ(tested.status, 1);
+  EXPECT_THAT(tested.err, HasSubstr("built for version 3 of PluginApi.h"));
+}
+
+TEST_F(InstalledPlugin, ThatIsUnknownIsAnsweredWithThoseThereAre)
+{
+  install(examplePlugin(), "lab.so");
+  const auto outcome = devices({"--test", "banana"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("There is no device 'banana'."));
+  EXPECT_THAT(outcome.err, HasSubstr("Installed plug-ins: Example handle."));
 }
 
 TEST(DevicePlugin, IsLoadedListenedToAndPushes)
@@ -69,10 +171,12 @@ TEST(DevicePlugin, IsLoadedListenedToAndPushes)
   // the virtual hand never releases the button; a busy machine may read it late
   EXPECT_THAT(outcome.out, HasSubstr(" of 3000 were fresh and valid"));
   EXPECT_THAT(outcome.out, testing::Not(HasSubstr("samples            0 of")));
-  // by the time of the push it has moved beyond its reach, where no force is rendered
-  EXPECT_THAT(outcome.out, HasSubstr("rendered on 0 of 1 axes"));
-  EXPECT_THAT(outcome.out, HasSubstr("near the end of the device's reach"));
-  EXPECT_THAT(contentOf(file), HasSubstr("\"force_axes_shown\": 0"));
+  EXPECT_THAT(outcome.out, HasSubstr("rendered on 1 of 1 axes"));
+  EXPECT_THAT(outcome.out, HasSubstr(" N of 0.50 N written; the handle moved"));
+  EXPECT_THAT(outcome.out, HasSubstr("button             pressed"));
+  EXPECT_THAT(outcome.out, HasSubstr("result             passed"));
+  EXPECT_THAT(contentOf(file), HasSubstr("\"force_axes_shown\": 1"));
+  EXPECT_THAT(contentOf(file), HasSubstr("\"rate_per_s\""));
 }
 
 TEST(DevicePlugin, ThatIsInvalidIsRefusedWithAMessage)

@@ -5,9 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QPushButton>
+#include <filesystem>
+#include <fstream>
 
 #include "WindowRig.h"
 #include "gui/pages/devices/DevicePage.h"
+#include "gui/run/UserSettings.h"
+#include "perilymph/device/PluginDevice.h"
 #include "perilymph/test/Places.h"
 #include "perilymph/test/RecordedTree.h"
 
@@ -21,7 +26,25 @@ protected:
   {
     qputenv("PERILYMPH_SYSTEM_ROOT", QByteArray::fromStdString(tree_.root().string()));
   }
-  ~DevicesOfTheWindow() override { qunsetenv("PERILYMPH_SYSTEM_ROOT"); }
+  ~DevicesOfTheWindow() override
+  {
+    rig_.reset();
+    qunsetenv("PERILYMPH_SYSTEM_ROOT");
+    gui::UserSettings().remove(QStringLiteral("input/device"));
+    std::filesystem::remove_all(plugins());
+  }
+
+  /// The user's folder of plug-ins, in the data home of this test program.
+  static std::filesystem::path plugins() { return device::pluginFolders().front(); }
+  static void install(const std::filesystem::path& file, const std::string& name)
+  {
+    std::filesystem::create_directories(plugins());
+    std::filesystem::copy_file(file, plugins() / name);
+  }
+  QPushButton* pageButton(const char* name)
+  {
+    return page().findChild<QPushButton*>(QLatin1String(name));
+  }
 
   void open() { rig_ = std::make_unique<WindowRig>(); }
   gui::DevicePage& page() { return *rig_->window().findChild<gui::DevicePage*>(); }
@@ -114,6 +137,75 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
   // Its virtual hand pushes inward with 0.2 N and never releases the button.
   rig_->click("startButton");
   EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 1.0; }));
+}
+
+TEST_F(DevicesOfTheWindow, OfAnInstalledPlugInAreListedChosenRememberedAndRemoved)
+{
+  install(examplePlugin(), "lab.so");
+  open();
+  rig_->pressKey(Qt::Key_H);
+  // loaded in the background, in a process of its own
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pageButton("use-lab") != nullptr; }));
+  EXPECT_TRUE(pageSays("force up to 3.0 N"));
+  EXPECT_TRUE(pageSays((plugins() / "lab.so").c_str()));
+  EXPECT_FALSE(pageSays("chosen last"));
+  rig_->click("use-lab");
+  EXPECT_EQ(rig_->window().control().inputName(), "Example handle");
+  rig_->pressKey(Qt::Key_H);
+
+  // The next choice of a device is this one, at once.
+  rig_->click("scriptedChoice");
+  EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
+  rig_->click("deviceChoice");
+  EXPECT_EQ(rig_->window().control().inputName(), "Example handle");
+  EXPECT_FALSE(page().isVisible());
+  rig_->click("deviceChoice");  // in use already: the list
+  ASSERT_TRUE(page().isVisible());
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return pageButton("use-lab") != nullptr; }));
+  EXPECT_TRUE(pageSays("Example handle (chosen last)"));
+
+  std::filesystem::remove(plugins() / "lab.so");
+  rig_->click("devicesRefreshButton");
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return pageSays("No plug-in is installed."); }));
+  EXPECT_EQ(pageButton("use-lab"), nullptr);
+  rig_->pressKey(Qt::Key_H);
+  rig_->click("scriptedChoice");
+  rig_->click("deviceChoice");  // the remembered one is gone: the list
+  EXPECT_TRUE(page().isVisible());
+}
+
+TEST_F(DevicesOfTheWindow, OfAPlugInThatIsRefusedAreListedWithTheReason)
+{
+  std::filesystem::create_directories(plugins());
+  std::ofstream(plugins() / "text.so") << "no library";
+  open();
+  rig_->pressKey(Qt::Key_H);
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return pageSays("it is not a shared library"); }));
+  EXPECT_EQ(pageButton("use-text"), nullptr);
+}
+
+TEST_F(DevicesOfTheWindow, OfOneModelAreChosenAgainByTheirPlace)
+{
+  tree_.add({"0003:1234:0006.0001", "WoodenHaptics", "hidraw1", "00"});
+  tree_.add({.kernelName = "0003:1234:0006.0002",
+             .name = "WoodenHaptics",
+             .node = "hidraw2",
+             .interface = "00",
+             .place = "usb-0000:00:14.0-4/input0"});
+  tree_.addTape("hidraw1", restingWoodenHaptics());
+  tree_.addTape("hidraw2", restingWoodenHaptics());
+  open();
+  rig_->pressKey(Qt::Key_H);
+  EXPECT_TRUE(pageSays("usb-0000:00:14.0-1/input0"));
+  EXPECT_TRUE(pageSays("usb-0000:00:14.0-4/input0"));
+  rig_->click("use-hidraw2");
+  const QString kept = gui::UserSettings().value(QStringLiteral("input/device")).toString();
+  EXPECT_TRUE(kept.contains(QLatin1String("usb-0000:00:14.0-4/input0"))) << kept.toStdString();
+  rig_->click("devicesRefreshButton");
+  int marked = 0;
+  for (const QLabel* label : page().findChildren<QLabel*>())
+    marked += label->text().contains(QLatin1String("chosen last")) ? 1 : 0;
+  EXPECT_EQ(marked, 1);
 }
 
 TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)

@@ -31,6 +31,15 @@ void checkTraits(const device::DeviceTraits& traits)
   for (const int axes : {traits.sensedTranslations, traits.sensedRotations,
                          traits.actuatedTranslations, traits.actuatedRotations})
     promise(axes >= 0 && axes <= 3, "a number of axes");
+  promise(traits.maxTorque == 0.0 || (traits.maxTorque >= 1e-4 && traits.maxTorque <= 10.0),
+          "a torque in its range");
+  int pushed = 0, turned = 0;
+  for (int i = 0; i < 3; ++i) {
+    pushed += traits.pushesAlong(i) ? 1 : 0;
+    turned += traits.turnsAbout(i) ? 1 : 0;
+  }
+  promise(pushed == (traits.rendersForce ? traits.actuatedTranslations : 0), "as many as counted");
+  promise(turned == (traits.maxTorque > 0.0 ? traits.actuatedRotations : 0), "as many as counted");
 }
 
 /// Memory that was overwritten gives values at most, and only new ones.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hid/DeviceSurvey.h"
+#include "hid/HidPort.h"
 #include "perilymph/test/RecordedTree.h"
 
 namespace perilymph::device {
@@ -100,6 +101,136 @@ TEST(DeviceChoice, NamesThoseThereAre)
   ASSERT_FALSE(found);
   EXPECT_THAT(found.error().message, HasSubstr("'banana'"));
   EXPECT_THAT(found.error().message, HasSubstr(survey.devices.at(0).name()));
+}
+
+/// Two equal sticks at two ports.
+class TwoSticks : public testing::Test {
+protected:
+  TwoSticks()
+  {
+    for (const auto& device : {left_, right_}) {
+      tree_.add(device);
+      tree_.addNode(device.node);
+    }
+  }
+  DeviceSurvey survey() const { return surveyOf(tree_); }
+  std::string choiceOf(const std::string& node) const
+  {
+    return choiceText(*findDevice(survey(), node));
+  }
+  std::string chosen(const std::string& choice) const
+  {
+    const DeviceSurvey now = survey();
+    const FoundDevice* const found = chosenDevice(now, choice);
+    return found == nullptr ? "none" : found->node.path.filename().string();
+  }
+
+  RecordedTree tree_;
+  const RecordedTree::Device left_{"0003:ABCD:0001.0001",       "A stick", "hidraw0", "00", stick,
+                                   "usb-0000:00:14.0-1/input0", ""};
+  const RecordedTree::Device right_{"0003:ABCD:0001.0002",       "A stick", "hidraw1", "00", stick,
+                                    "usb-0000:00:14.0-4/input0", ""};
+};
+
+TEST_F(TwoSticks, AreToldApartByTheirPlace)
+{
+  const auto either = findDevice(survey(), "A stick");
+  ASSERT_FALSE(either);
+  EXPECT_THAT(either.error().message, HasSubstr("There are 2 devices 'A stick'"));
+  EXPECT_THAT(either.error().message,
+              HasSubstr("usb-0000:00:14.0-1/input0, usb-0000:00:14.0-4/input0"));
+  const auto right = findDevice(survey(), "usb-0000:00:14.0-4/input0");
+  ASSERT_TRUE(right) << right.error().message;
+  EXPECT_EQ(right->node.path.filename(), "hidraw1");
+}
+
+TEST_F(TwoSticks, AreChosenAgainByTheirPlaceWhateverTheirNumber)
+{
+  const std::string right = choiceOf("hidraw1");
+  EXPECT_EQ(chosen(right), "hidraw1");
+  // After a restart the kernel may have counted them in the other order.
+  tree_.remove(left_);
+  tree_.remove(right_);
+  RecordedTree::Device moved = right_;
+  moved.node = "hidraw7";
+  moved.kernelName = "0003:ABCD:0001.0009";
+  RecordedTree::Device other = left_;
+  other.node = "hidraw8";
+  other.kernelName = "0003:ABCD:0001.0010";
+  for (const auto& device : {moved, other}) {
+    tree_.add(device);
+    tree_.addNode(device.node);
+  }
+  EXPECT_EQ(chosen(right), "hidraw7");
+}
+
+TEST_F(TwoSticks, AreNotTakenForEachOther)
+{
+  RecordedTree::Device third = left_;
+  third.node = "hidraw2";
+  third.kernelName = "0003:ABCD:0001.0003";
+  third.place = "usb-0000:00:14.0-6/input0";
+  tree_.add(third);
+  tree_.addNode(third.node);
+  const std::string choice = choiceOf("hidraw2");
+  tree_.remove(third);
+  EXPECT_EQ(chosen(choice), "none");
+  // The only one that is left is the one whose cable was moved.
+  tree_.remove(left_);
+  EXPECT_EQ(chosen(choice), "hidraw1");
+}
+
+constexpr const char* stickTape = "D: 0\nN: A stick\nI: 3 abcd 0001\nE: 000000.000000 3 80 80 00\n";
+
+TEST_F(TwoSticks, AreNotOpenedInPlaceOfEachOther)
+{
+  tree_.addTape("hidraw0", stickTape);
+  tree_.addTape("hidraw1", stickTape);
+  const auto port = hidPort(survey().devices.at(0).node, tree_.roots());
+  ASSERT_TRUE(port->open());
+  tree_.remove(left_);  // its cable is pulled; the other one lies on the table
+  const auto opened = port->open();
+  ASSERT_FALSE(opened);
+  EXPECT_THAT(opened.error().message, HasSubstr("is not plugged in"));
+  RecordedTree::Device again = left_;
+  again.node = "hidraw9";
+  again.kernelName = "0003:ABCD:0001.0009";
+  tree_.add(again);
+  tree_.addTape("hidraw9", stickTape);
+  EXPECT_TRUE(port->open());
+}
+
+TEST(DeviceChoice, OpensTheOnlyDeviceOfItsModelAtAnotherPort)
+{
+  RecordedTree tree;
+  RecordedTree::Device device{"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick};
+  tree.add(device);
+  tree.addTape("hidraw0", stickTape);
+  const auto port = hidPort(surveyOf(tree).devices.at(0).node, tree.roots());
+  ASSERT_TRUE(port->open());
+  tree.remove(device);
+  EXPECT_FALSE(port->open());
+  device.node = "hidraw3";
+  device.kernelName = "0003:ABCD:0001.0004";
+  device.place = "usb-0000:00:14.0-7/input0";
+  tree.add(device);
+  tree.addTape("hidraw3", stickTape);
+  EXPECT_TRUE(port->open());
+}
+
+TEST(DeviceChoice, FollowsASerialNumberToAnotherPort)
+{
+  RecordedTree tree;
+  tree.add({"0003:ABCD:0001.0001", "A stick", "hidraw0", "00", stick, "usb-1", "SN1"});
+  tree.add({"0003:ABCD:0001.0002", "A stick", "hidraw1", "00", stick, "usb-2", "SN2"});
+  tree.addNode("hidraw0");
+  tree.addNode("hidraw1");
+  const DeviceSurvey survey = surveyOf(tree);
+  const FoundDevice* const found = chosenDevice(survey, "abcd:0001.0 usb-9 SN2");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->node.path.filename(), "hidraw1");
+  EXPECT_EQ(chosenDevice(survey, "abcd:0001.0 usb-9 SN3"), nullptr);
+  EXPECT_EQ(chosenDevice(survey, ""), nullptr);
 }
 
 TEST(DeviceChoice, SaysThatNothingIsPluggedIn)

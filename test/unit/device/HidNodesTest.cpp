@@ -35,6 +35,7 @@ TEST(HidNodes, TellWhatTheKernelKnowsOfADevice)
   EXPECT_EQ(nodes[0].identity.product, 6);
   EXPECT_EQ(nodes[0].identity.interfaceNumber, 2);
   EXPECT_EQ(nodes[0].name, "Polhem HID device");
+  EXPECT_EQ(nodes[0].place, "usb-0000:00:14.0-1/input0");
   EXPECT_EQ(nodes[0].descriptor.size(), 7u);
   EXPECT_EQ(nodes[0].access, NodeAccess::allowed);
 }

@@ -28,26 +28,14 @@ std::vector<std::string> rules()
   return lines;
 }
 
-/// The rule for all products of a vendor.
-std::string vendorRule(std::uint16_t vendor)
-{
-  std::string rule = udevRule(vendor, 0);
-  return rule.replace(rule.find(":0000."), 6, ":");
-}
-
-/// The rules that the profiles require; a profile for a whole vendor requires the vendor's rule.
+/// The rules that the profiles require: one for each product that they name. A profile for whatever
+/// else a vendor makes requires none: its other products include keyboards.
 std::set<std::string> wanted()
 {
-  std::set<std::uint16_t> wholeVendors;
   std::set<std::string> wantedRules;
-  const ProfileCatalog catalog = shippedProfiles();
-  for (const DeviceProfile& profile : catalog.profiles)
+  for (const DeviceProfile& profile : shippedProfiles().profiles)
     for (const DeviceMatch& match : profile.matches)
-      if (match.vendor && !match.product) wholeVendors.insert(*match.vendor);
-  for (const std::uint16_t vendor : wholeVendors) wantedRules.insert(vendorRule(vendor));
-  for (const DeviceProfile& profile : catalog.profiles)
-    for (const DeviceMatch& match : profile.matches)
-      if (match.vendor && match.product && wholeVendors.count(*match.vendor) == 0)
+      if (match.vendor && match.product)
         wantedRules.insert(udevRule(*match.vendor, *match.product));
   return wantedRules;
 }

@@ -89,12 +89,63 @@ ForceTrial runAt(const device::DeviceTraits& traits, double distance)
 TEST(ForceTrial, KnowsThePeakOfEveryAxis)
 {
   const ForceTrial trial = runAt(threeAxes(), 0.0);
-  for (const ForceTrial::Axis& axis : trial.results()) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ForceTrial::Axis& axis = trial.results()[i];
     EXPECT_TRUE(axis.isDone);
     EXPECT_NEAR(axis.peak, 0.5, 0.01);
     EXPECT_EQ(axis.moved, 0.0);
     EXPECT_EQ(axis.limits, 0u);
   }
+  for (std::size_t i = 3; i < 6; ++i) EXPECT_FALSE(trial.results()[i].isActuated);
+}
+
+TEST(ForceTrial, PushesAPaddleAlongItsOneAxisOnly)
+{
+  device::DeviceTraits traits = threeAxes();
+  traits.actuatedTranslations = 1;
+  traits.actuatedAxes = 1u << 2;
+  ForceTrial trial(traits, timeStep);
+  EXPECT_EQ(trial.axis(), 2);
+  RestingDevice hand;
+  double peak = 0.0;
+  int ticks = 0;
+  for (; !trial.isOver() && ticks < 10'000; ++ticks) {
+    const device::Wrench wrench_D = trial.step(hand.next(true));
+    EXPECT_EQ(wrench_D.force_D[0], 0.0);
+    EXPECT_EQ(wrench_D.force_D[1], 0.0);
+    peak = std::max(peak, wrench_D.force_D[2]);
+  }
+  EXPECT_LE(ticks, 1100);
+  EXPECT_NEAR(peak, 0.5, 0.01);
+  EXPECT_FALSE(trial.results()[0].isActuated);
+  EXPECT_TRUE(trial.results()[2].isDone);
+}
+
+TEST(ForceTrial, TurnsAboutTheAxesOfADeviceWithTorque)
+{
+  device::DeviceTraits traits = threeAxes();
+  traits.actuatedTranslations = 0;
+  traits.actuatedRotations = 1;
+  traits.actuatedAxes = 1u << 5;  // about z
+  traits.maxTorque = 0.05;        // a fifth is 10 mN.m
+  ForceTrial trial(traits, timeStep);
+  device::DeviceSample sample;
+  sample.isValid = 1;
+  sample.buttons = device::graspButton;
+  double peak = 0.0, turned = 0.0;
+  for (int i = 0; i < 10'000 && !trial.isOver(); ++i) {
+    ++sample.sequence;
+    turned += 1e-4;
+    sample.rotation_D = {std::cos(0.5 * turned), 0.0, 0.0, std::sin(0.5 * turned)};
+    const device::Wrench wrench_D = trial.step(sample);
+    EXPECT_EQ(magnitude(wrench_D), 0.0);
+    peak = std::max(peak, wrench_D.torque_D[2]);
+  }
+  EXPECT_NEAR(peak, 0.010, 0.0002);
+  EXPECT_TRUE(trial.results()[5].isDone);
+  EXPECT_NEAR(trial.results()[5].moved, 0.1, 0.002);  // a second at 0.1 rad/s
+  for (int i = 0; i < 60; ++i) trial.step(sample);
+  EXPECT_EQ(trial.step(sample).torque_D[2], 0.0);
 }
 
 TEST(ForceTrial, SaysThatAHandleAtTheEndOfItsReachWasPushedWithNothing)
@@ -102,12 +153,14 @@ TEST(ForceTrial, SaysThatAHandleAtTheEndOfItsReachWasPushedWithNothing)
   device::DeviceTraits traits = threeAxes();
   traits.workspaceRadius = 0.08;
   const ForceTrial atTheEnd = runAt(traits, 0.08);
-  for (const ForceTrial::Axis& axis : atTheEnd.results()) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ForceTrial::Axis& axis = atTheEnd.results()[i];
     EXPECT_EQ(axis.peak, 0.0);
     EXPECT_NE(axis.limits & nearWorkspaceEnd, 0u);
   }
   const ForceTrial within = runAt(traits, 0.076);
-  for (const ForceTrial::Axis& axis : within.results()) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ForceTrial::Axis& axis = within.results()[i];
     EXPECT_NEAR(axis.peak, 0.25, 0.01);  // in the middle of the last tenth
     EXPECT_NE(axis.limits & nearWorkspaceEnd, 0u);
   }

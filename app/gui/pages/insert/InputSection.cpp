@@ -38,7 +38,8 @@ void InputSection::addChoices()
   pointer_->setObjectName(QStringLiteral("pointerChoice"));
   pointer_->setToolTip(tr("The mouse wheel or the ↑ and ↓ keys move the array while it is held."));
   device_->setObjectName(QStringLiteral("deviceChoice"));
-  device_->setToolTip(tr("List of connected devices and choice of the input device (H)."));
+  device_->setToolTip(
+      tr("Uses the device chosen last; shows the list if it is not there (list: H)."));
   scripted_->setChecked(true);
   for (Choice* choice : {scripted_, pointer_, device_}) {
     choice->setFocusPolicy(Qt::TabFocus);

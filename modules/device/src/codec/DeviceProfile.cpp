@@ -2,6 +2,7 @@
 #include "codec/DeviceProfile.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "codec/ProfileTables.h"
@@ -77,6 +78,15 @@ DeviceTraits readCapability(TomlReader& table, CodecKind kind)
   if (traits.reporting == Reporting::polled || table.has("polled_report"))
     traits.polledReport = static_cast<std::uint8_t>(table.integer("polled_report", 0, 255, 0));
 
+  if (isPlain(kind)) {
+    static constexpr std::array axes{
+        Choice<std::uint32_t>{0b111, "xyz"}, Choice<std::uint32_t>{0b011, "xy"},
+        Choice<std::uint32_t>{0b101, "xz"},  Choice<std::uint32_t>{0b110, "yz"},
+        Choice<std::uint32_t>{0b001, "x"},   Choice<std::uint32_t>{0b010, "y"},
+        Choice<std::uint32_t>{0b100, "z"}};
+    traits.actuatedAxes = table.choice("axes", axes, std::uint32_t{0b111});
+    traits.sensedTranslations = std::popcount(traits.actuatedAxes);
+  }
   const bool mayRender = isPlain(kind) || kind == CodecKind::pid;
   traits.rendersForce = table.has("max_force_N");
   if (traits.rendersForce && !mayRender)

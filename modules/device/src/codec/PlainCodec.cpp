@@ -72,6 +72,15 @@ void PlainCodec::putOutputs(const Vector3& force_B, RawReport& report) const noe
     putNumber(body(report), slotOf(plain.output, i), nearest(outputs[i] / plain.outputQuantum[i]));
 }
 
+/// The force along the axes of D that the device has.
+Vector3 PlainCodec::alongAxes(const Vector3& force_D) const noexcept
+{
+  Vector3 along{};
+  for (std::size_t i = 0; i < 3; ++i)
+    if ((profile_.traits.actuatedAxes >> i & 1u) != 0) along[i] = force_D[i];
+  return along;
+}
+
 void PlainCodec::putCounts(RawReport& report) const noexcept
 {
   const PlainLayout& plain = profile_.plain;
@@ -90,7 +99,7 @@ void PlainCodec::encode(const Wrench& wrench_D, ReportList& reports) noexcept
   if (profile_.plain.command && asksForCounts_.exchange(false))
     putCounts(report);
   else
-    putOutputs(limitedForce_B(profile_, wrench_D.force_D), report);
+    putOutputs(limitedForce_B(profile_, alongAxes(wrench_D.force_D)), report);
   reports.count = 1;
 }
 

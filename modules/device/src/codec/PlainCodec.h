@@ -23,6 +23,7 @@ public:
 
 private:
   Vector3 position_B(const Vector3& counts) noexcept;
+  Vector3 alongAxes(const Vector3& force_D) const noexcept;
   void putOutputs(const Vector3& force_B, RawReport& report) const noexcept;
   void putCounts(RawReport& report) const noexcept;
 

@@ -100,8 +100,7 @@ DeviceTraits traitsOf(const DeviceProfile& profile, const ReportDescriptor& desc
     const auto coarsest = [](const Vector3& steps) {
       return *std::max_element(steps.begin(), steps.end());
     };
-    traits.sensedTranslations = 3;
-    traits.actuatedTranslations = traits.rendersForce ? 3 : 0;
+    traits.actuatedTranslations = traits.rendersForce ? traits.sensedTranslations : 0;
     traits.buttons = plain.buttons ? static_cast<int>(plain.buttons->bits) : 0;
     const bool isVector = profile.kind == CodecKind::vector;
     traits.positionQuantum = isVector ? coarsest(plain.inputQuantum) : linkageStep(plain.linkage);
@@ -111,6 +110,8 @@ DeviceTraits traitsOf(const DeviceProfile& profile, const ReportDescriptor& desc
   traits.sensedTranslations = movedAxes(profile, 0);
   traits.sensedRotations = movedAxes(profile, 3);
   traits.actuatedTranslations = traits.rendersForce ? traits.sensedTranslations : 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (profile.axes.axes[i].usage.page != 0) traits.actuatedAxes |= 1u << i;
   if (!descriptor.fields().empty()) addSteps(profile, descriptor, traits);
   return traits;
 }

@@ -103,6 +103,58 @@ ReportDescriptor descriptorOf(const HidNode& node)
   return parsed ? *std::move(parsed) : ReportDescriptor{};
 }
 
+std::string kindName(CodecKind kind)
+{
+  switch (kind) {
+    case CodecKind::encoders:
+      return "encoders";
+    case CodecKind::vector:
+      return "vector";
+    case CodecKind::pid:
+      return "pid";
+    case CodecKind::spaceMouse:
+      return "spacemouse";
+    case CodecKind::joystick:
+      return "joystick";
+  }
+  return "unknown";
+}
+
+std::string usageText(const Usage& usage)
+{
+  char text[48];
+  std::snprintf(text, sizeof text, "usage page 0x%02x, usage 0x%02x", usage.page, usage.id);
+  return text;
+}
+
+/// The criteria of one [[match]].
+std::string matchText(const DeviceMatch& match)
+{
+  std::string text;
+  const auto add = [&text](const std::string& part) {
+    text += (text.empty() ? "" : " with ") + part;
+  };
+  if (match.vendor && match.product)
+    add(identityText({*match.vendor, *match.product, -1}));
+  else if (match.vendor)
+    add(identityText({*match.vendor, 0, -1}).substr(0, 5) + "*");
+  if (match.interfaceNumber) add("interface " + std::to_string(*match.interfaceNumber));
+  if (match.usage) add(usageText(*match.usage));
+  if (match.contains) add("a collection of " + usageText(*match.contains));
+  return text;
+}
+
+ProfileSummary summaryOf(const DeviceProfile& profile)
+{
+  ProfileSummary summary;
+  summary.device = {profile.name, profile.confidence, traitsOf(profile), profile.file,
+                    profile.note};
+  summary.kind = kindName(profile.kind);
+  for (const DeviceMatch& match : profile.matches)
+    summary.matches += (summary.matches.empty() ? "" : ", or ") + matchText(match);
+  return summary;
+}
+
 std::string lowered(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -115,8 +167,8 @@ bool isCalled(const FoundDevice& found, const std::string& wanted)
   const HidNode& node = found.node;
   const std::string name = lowered(wanted);
   return name == node.path.string() || name == node.path.filename().string() ||
-         name == identityText(node.identity) || name == lowered(found.name()) ||
-         name == lowered(node.name);
+         name == lowered(node.place) || name == identityText(node.identity) ||
+         name == lowered(found.name()) || name == lowered(node.name);
 }
 
 }  // namespace
@@ -135,7 +187,9 @@ Result<DeviceSurvey> surveyDevices(const SystemRoots& roots, const std::string& 
   if (!named) return named.error();
   ProfileCatalog catalog;
   catalog.profiles.push_back(*std::move(named));
-  return surveyDevices(catalog, roots);
+  DeviceSurvey survey = surveyDevices(catalog, roots);
+  survey.profile = summaryOf(catalog.profiles.front());
+  return survey;
 }
 
 DeviceSurvey surveyDevices(const ProfileCatalog& catalog, const SystemRoots& roots)
@@ -168,17 +222,63 @@ DeviceSurvey surveyDevices(const ProfileCatalog& catalog, const SystemRoots& roo
 
 Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& nameOrNode)
 {
-  std::string usable;
+  std::string usable, places;
+  const FoundDevice* match = nullptr;
+  int matches = 0;
   for (const FoundDevice& found : survey.devices) {
-    if (isCalled(found, nameOrNode)) {
-      if (found.isUsable()) return found;
-      return Error{"%1 cannot be the input. %2", found.name(), found.obstacle};
-    }
     if (found.isUsable()) usable += (usable.empty() ? "" : ", ") + found.name();
+    if (!isCalled(found, nameOrNode)) continue;
+    // A device of several interfaces: the one that can be used is meant.
+    if (match == nullptr || (found.isUsable() && !match->isUsable())) match = &found;
+    if (!found.isUsable()) continue;
+    ++matches;
+    const HidNode& node = found.node;
+    places += (places.empty() ? "" : ", ") + (node.place.empty() ? node.path.string() : node.place);
   }
+  if (matches > 1)
+    return Error{"There are %1 devices '%2'. Give the place of one: %3.", matches, nameOrNode,
+                 places};
+  if (match != nullptr && match->isUsable()) return *match;
+  if (match != nullptr) return Error{"%1 cannot be the input. %2", match->name(), match->obstacle};
   return Error{
       "There is no device '%1'. %2", nameOrNode,
       (usable.empty() ? "No usable haptic device is plugged in." : "There are: " + usable + ".")};
+}
+
+namespace {
+
+/// Identity and interface, equal for equal devices.
+std::string modelText(const HidNode& node)
+{
+  return identityText(node.identity) + "." + std::to_string(node.identity.interfaceNumber);
+}
+
+}  // namespace
+
+std::string choiceText(const FoundDevice& found)
+{
+  return modelText(found.node) + " " + found.node.place + " " + found.node.serial;
+}
+
+const FoundDevice* chosenDevice(const DeviceSurvey& survey, const std::string& choice)
+{
+  const FoundDevice* sameSerial = nullptr;
+  const FoundDevice* sameModel = nullptr;
+  int ofSerial = 0, ofModel = 0;  // boards of one firmware have equal serial numbers, too
+  for (const FoundDevice& found : survey.devices) {
+    const HidNode& node = found.node;
+    const std::string model = modelText(node) + " ";
+    if (!found.isUsable() || !choice.starts_with(model)) continue;
+    if (!node.place.empty() && choice.starts_with(model + node.place + " ")) return &found;
+    if (!node.serial.empty() && choice.ends_with(" " + node.serial)) {
+      sameSerial = &found;
+      ++ofSerial;
+    }
+    sameModel = &found;
+    ++ofModel;
+  }
+  if (ofSerial == 1) return sameSerial;
+  return ofModel == 1 ? sameModel : nullptr;
 }
 
 Result<std::unique_ptr<HapticDevice>> makeHidDevice(const FoundDevice& found,

@@ -99,6 +99,7 @@ std::optional<HidNode> readNode(const fs::path& folder, const SystemRoots& roots
   node.path = roots.dev / folder.filename();
   node.name = valueOf(uevent, "HID_NAME");
   node.serial = valueOf(uevent, "HID_UNIQ");
+  node.place = valueOf(uevent, "HID_PHYS");
   node.identity.interfaceNumber = interfaceNumber(hidDevice);
   const std::string descriptor = contentOf(hidDevice / "report_descriptor");
   node.descriptor.assign(descriptor.begin(), descriptor.end());

@@ -25,17 +25,13 @@ public:
   HidrawPort(HidNode node, SystemRoots roots)
       : node_(std::move(node)), roots_(std::move(roots)), numbers_(numbersOf(node_))
   {
+    ownNode(findHidNodes(roots_));
   }
 
   Result<std::unique_ptr<Transport>> open() override
   {
-    // Prefer the previous node if still present: of two equal devices each keeps its own.
-    const HidNode* found = nullptr;
     const std::vector<HidNode> nodes = findHidNodes(roots_);
-    for (const HidNode& node : nodes) {
-      if (!isSameDevice(node, node_)) continue;
-      if (found == nullptr || node.path == node_.path) found = &node;
-    }
+    const HidNode* const found = ownNode(nodes);
     if (found == nullptr) return Error{"%1 is not plugged in.", called()};
     if (found->access == NodeAccess::denied)
       return Error{
@@ -43,6 +39,7 @@ public:
           found->path, called(), localRulesFile,
           udevRule(node_.identity.vendor, node_.identity.product)};
     node_.path = found->path;
+    node_.place = found->place;
     if (!isTape()) return openHidTransport(node_.path, numbers_);
 
     if (!played_) {
@@ -62,6 +59,22 @@ public:
   void awaitChange(Duration timeout) noexcept override { watch_.await(timeout); }
 
 private:
+  /// The node of this device. After it was plugged in again it may have another number, and another
+  /// place, unless an equal device was seen beside it: then only the one at its place is this one.
+  const HidNode* ownNode(const std::vector<HidNode>& nodes)
+  {
+    const HidNode* atPlace = nullptr;
+    const HidNode* elsewhere = nullptr;
+    for (const HidNode& node : nodes) {
+      if (!isSameDevice(node, node_)) continue;
+      if (node.place != node_.place)
+        elsewhere = &node;
+      else if (atPlace == nullptr || node.path == node_.path)
+        atPlace = &node;
+    }
+    if (atPlace != nullptr && elsewhere != nullptr) hasTwin_ = true;
+    return atPlace == nullptr && !hasTwin_ ? elsewhere : atPlace;
+  }
   std::string called() const
   {
     const std::string name = node_.name.empty() ? "The HID device" : node_.name;
@@ -77,6 +90,7 @@ private:
   }
 
   HidNode node_;
+  bool hasTwin_ = false;
   SystemRoots roots_;
   ReportNumbers numbers_;
   PlugWatch watch_;

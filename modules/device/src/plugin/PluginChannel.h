@@ -23,7 +23,7 @@ enum File : int {
 };
 
 /// Version of this header: a host of another version is refused.
-inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version = 2;
 
 /// Requests of the program, one letter each.
 enum Request : char {
@@ -54,9 +54,10 @@ enum End : int {
 
 /// A force for the plug-in.
 struct Force {
-  std::uint64_t number = 0;         ///< Counts the forces.
-  std::array<double, 3> force_D{};  ///< [N]
-  std::uint64_t isMeasured = 0;     ///< Answer at once: the program measures the delay.
+  std::uint64_t number = 0;          ///< Counts the forces.
+  std::array<double, 3> force_D{};   ///< [N]
+  std::array<double, 3> torque_D{};  ///< [N.m]
+  std::uint64_t isMeasured = 0;      ///< Answer at once: the program measures the delay.
 };
 
 /// The newest sample of the plug-in.

@@ -11,6 +11,7 @@
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/TimeHistogram.h"
 #include "perilymph/realtime/TripleBuffer.h"
+#include "plugin/PluginFile.h"
 #include "plugin/PluginProcess.h"
 #include "plugin/StatedTraits.h"
 
@@ -30,7 +31,7 @@ constexpr int frozenReads = 50;
 constexpr int exchanges = 32;
 constexpr std::int64_t patienceForExchange = 20'000'000;  // [ns]
 
-Error refused(const fs::path& library, const std::string& why)
+Error refused(const fs::path& library, const Sentence& why)
 {
   return Error{"The plug-in %1 is not taken: %2", library, why};
 }
@@ -123,7 +124,7 @@ Result<void> PluginDevice::open()
   if (isOpen_ && !isLost_) return {};
   close();
   if (process_->hasEnded()) {
-    auto started = PluginProcess::start(library_);
+    auto started = PluginProcess::start(library_, patienceForLoading);
     if (!started) return refused(library_, started.error().message);
     process_ = *std::move(started);
   }
@@ -151,7 +152,7 @@ void PluginDevice::measureDelay() noexcept
   realtime::TimeHistogram times;
   for (int i = 0; i < exchanges; ++i) {
     const std::int64_t began = realtime::monotonicNanoseconds();
-    channel.forces.publish({++forces_, {}, 1});
+    channel.forces.publish({++forces_, {}, {}, 1});
     channel.forHost.ring();
     bool isRung = true;
     while (isRung && newest_.written < forces_) {
@@ -215,8 +216,9 @@ void PluginDevice::write(const Wrench& wrench_D) noexcept
 {
   if (!isOpen_ || isLost_) return;
   const bool isStale = realtime::monotonicNanoseconds() - fresh_ >= staleTime_;
-  plugin::Force force{++forces_, {}, 0};
+  plugin::Force force{++forces_, {}, {}, 0};
   if (!isStale && stated_.rendersForce) force.force_D = wrench_D.force_D;
+  if (!isStale && stated_.maxTorque > 0.0) force.torque_D = wrench_D.torque_D;
   process_->channel().forces.publish(force);
   process_->channel().forHost.ring();
 }
@@ -258,34 +260,19 @@ std::optional<DeviceHealth> PluginDevice::health()
 
 }  // namespace
 
-Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file)
+Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file, Duration patience)
 {
   // An absolute path: a bare name would be searched in the system's library folders.
   std::error_code failure;
   const fs::path path = fs::absolute(file, failure);
-  if (failure || !fs::is_regular_file(path, failure))
-    return refused(file, "there is no such file. Check the path.");
-  auto process = PluginProcess::start(path);
+  if (const auto checked = plugin::checkFile(failure ? file : path); !checked)
+    return refused(file, checked.error().message);
+  auto process = PluginProcess::start(path, patience);
   if (!process) return refused(file, process.error().message);
   Result<DeviceTraits> traits = plugin::checkedTraits((*process)->traits());
   if (!traits) return refused(file, traits.error().message);
   return std::unique_ptr<HapticDevice>(
       std::make_unique<PluginDevice>(path, *std::move(process), *std::move(traits)));
-}
-
-std::vector<fs::path> pluginLibraries(const fs::path& folder)
-{
-  std::vector<fs::path> found;
-  std::error_code failure;
-  fs::recursive_directory_iterator entry(folder, failure);
-  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
-    if (entry.depth() >= 1) entry.disable_recursion_pending();
-    std::error_code ignored;
-    if (entry->path().extension() == ".so" && entry->is_regular_file(ignored))
-      found.push_back(entry->path());
-  }
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
 }  // namespace perilymph::device

@@ -4,6 +4,10 @@
 #include <dlfcn.h>
 
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "plugin/Refusals.h"
 
 namespace perilymph::device::plugin {
 
@@ -17,6 +21,27 @@ bool isComplete(const PerilymphDeviceV1& functions)
   return functions.create != nullptr && functions.destroy != nullptr &&
          functions.traits != nullptr && functions.open != nullptr && functions.close != nullptr &&
          functions.read != nullptr && functions.write != nullptr;
+}
+
+/// The version of a library that has the entry of another one than this program; 0 if it has none.
+std::uint32_t otherVersion(void* library)
+{
+  constexpr std::uint32_t latest = 9;
+  for (std::uint32_t version = knownVersion + 1; version <= latest; ++version)
+    if (::dlsym(library, ("perilymph_device_v" + std::to_string(version)).c_str()) != nullptr)
+      return version;
+  return 0;
+}
+
+Error refused(Phrase why, std::vector<Sentence> values = {})
+{
+  return Error{Sentence(why, std::move(values))};
+}
+
+Error wrongVersion(std::uint32_t version)
+{
+  return refused(refusals::isOfAnotherVersion,
+                 {std::to_string(version), std::to_string(knownVersion)});
 }
 
 }  // namespace
@@ -33,28 +58,24 @@ Result<Library> Library::load(const std::filesystem::path& file)
   std::unique_ptr<void, CloseLibrary> library(::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL));
   if (!library) {
     const char* why = ::dlerror();
-    return Error{"it cannot be loaded: %1. Build it for this machine.",
-                 (why != nullptr ? why : "")};
+    return refused(refusals::cannotBeLoaded, {std::string(why != nullptr ? why : "")});
   }
   const auto entry = reinterpret_cast<PerilymphDeviceEntryV1>(::dlsym(library.get(), entryName));
-  if (entry == nullptr)
-    return Error{"it exports no %1. It is no device plug-in, or one for a later program.",
-                 entryName};
+  if (entry == nullptr) {
+    if (const auto other = otherVersion(library.get()); other != 0) return wrongVersion(other);
+    return refused(refusals::isNoPlugin, {std::string(entryName)});
+  }
   const PerilymphDeviceV1* functions = entry();
-  if (functions == nullptr) return Error{"%1() gives nothing.", std::string(entryName)};
-  if (functions->version != knownVersion)
-    return Error{
-        "it speaks version %1 of the boundary; this program speaks %2. Build it against this "
-        "program.",
-        functions->version, knownVersion};
+  if (functions == nullptr) return refused(refusals::givesNothing, {std::string(entryName)});
+  if (functions->version != knownVersion) return wrongVersion(functions->version);
   if (functions->size < sizeof(PerilymphDeviceV1) || !isComplete(*functions))
-    return Error{"one of its functions is missing. Fill in all of PerilymphDeviceV1."};
+    return refused(refusals::isIncomplete);
 
   void* device = functions->create();
-  if (device == nullptr) return Error{"it finds no device. Plug the device in and try again."};
+  if (device == nullptr) return refused(refusals::findsNoDevice);
   Library loaded(std::move(library), *functions, device);
   loaded.traits_.size = sizeof loaded.traits_;
-  if (functions->traits(device, &loaded.traits_) != 0) return Error{"it does not tell its traits."};
+  if (functions->traits(device, &loaded.traits_) != 0) return refused(refusals::tellsNoTraits);
   return loaded;
 }
 

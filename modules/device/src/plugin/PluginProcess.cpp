@@ -13,6 +13,7 @@
 #include <cstring>
 #include <new>
 
+#include "plugin/Refusals.h"
 #include "plugin/StatedTraits.h"
 
 namespace perilymph::device::plugin {
@@ -24,6 +25,8 @@ constexpr const char* programName = "perilymph-plugin-host";
 constexpr int patienceForOpen_ms = 30'000;
 constexpr int patienceForClose_ms = 2000;
 constexpr int patienceForEnd_ms = 500;
+// A killed host ends at once, unless its driver blocks in the kernel.
+constexpr int patienceForKilled_ms = 100;
 constexpr const char* remedy =
     " The force is off. Reset loads it again; if that recurs, tell its maker.";
 
@@ -43,11 +46,12 @@ PluginProcess::PluginProcess(std::string name, pid_t id, OwnedFile requests, Own
 PluginProcess::~PluginProcess()
 {
   say(requests_, goodbye);
-  endCompanion(id_, isKilled_ ? 0 : patienceForEnd_ms);
+  endCompanion(id_, isKilled_ ? patienceForKilled_ms : patienceForEnd_ms);
   ::munmap(channel_, sizeof *channel_);
 }
 
-Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesystem::path& library)
+Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesystem::path& library,
+                                                            Duration patience)
 {
   const auto failed = [] {
     return Error{"no process can be made for it: %1.", std::strerror(errno)};
@@ -83,11 +87,11 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   }
   std::unique_ptr<PluginProcess> process(new PluginProcess(
       library.filename().string(), id, std::move(requests), std::move(replies), channel));
-  const auto loaded = process->await(patienceForOpen_ms);
+  const auto loaded = process->await(static_cast<int>(1e3 * patience.si()));
   if (!loaded) return loaded.error();
   if (loaded->version != plugin::version)
     return Error{"%1 is of another version. Install the package again.", program};
-  if (loaded->isDone == 0) return Error{sentenceOf(*loaded)};
+  if (loaded->isDone == 0) return Error{recognized(sentenceOf(*loaded), refusals::all)};
   process->traits_ = loaded->traits;
   return process;
 }

@@ -10,18 +10,22 @@
 
 #include "guard/CompanionProcess.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
 #include "plugin/PluginChannel.h"
 
 namespace perilymph::device::plugin {
 
-/// A running host. UI thread, if nothing else is stated.
+/// A running host. One thread at a time, if nothing else is stated: the UI thread, or a worker that
+/// lists plug-ins.
 class PluginProcess {
 public:
   /// Starts a host and loads the library in it.
   ///
-  /// @param library  Absolute path.
+  /// @param library   Absolute path.
+  /// @param patience  After which a library that is not loaded yet is given up.
   /// @return The error continues "The plug-in is not taken:".
-  static Result<std::unique_ptr<PluginProcess>> start(const std::filesystem::path& library);
+  static Result<std::unique_ptr<PluginProcess>> start(const std::filesystem::path& library,
+                                                      Duration patience);
   ~PluginProcess();  ///< Ends the host, at the latest by SIGKILL.
   PluginProcess(const PluginProcess&) = delete;
   PluginProcess& operator=(const PluginProcess&) = delete;

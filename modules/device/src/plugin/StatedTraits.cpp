@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugin/StatedTraits.h"
 
+#include <bit>
 #include <cstring>
 #include <string>
 
@@ -36,6 +37,19 @@ Result<DeviceTraits> checkedTraits(const PerilymphDeviceTraitsV1& said)
   if (said.buttons < 0 || said.buttons > 32)
     return Error{"it counts %1 buttons; 0 to 32 are known.", said.buttons};
 
+  if (said.max_torque_N_m != 0.0 && !within(said.max_torque_N_m, 1e-4, 10.0))
+    return Error{
+        "its greatest torque is %1 N.m; it must be 0 (no torque) or between 0.0001 and 10.",
+        std::to_string(said.max_torque_N_m)};
+  if (said.actuated_axes != 0 &&
+      (said.actuated_axes >= 64 ||
+       std::popcount(said.actuated_axes & 7u) != said.actuated_translations ||
+       std::popcount(said.actuated_axes >> 3) != said.actuated_rotations))
+    return Error{
+        "its axes %1 do not match its counts: %2 axes that it pushes along and %3 that it turns "
+        "about.",
+        said.actuated_axes, said.actuated_translations, said.actuated_rotations};
+
   traits.rendersForce = said.renders_force != 0;
   traits.maxForce = traits.rendersForce ? said.max_force_N : 0.0;
   traits.nominalPeriod = said.nominal_period_s;
@@ -50,6 +64,8 @@ Result<DeviceTraits> checkedTraits(const PerilymphDeviceTraitsV1& said)
   traits.sensedRotations = said.sensed_rotations;
   traits.actuatedTranslations = said.actuated_translations;
   traits.actuatedRotations = said.actuated_rotations;
+  traits.actuatedAxes = said.actuated_axes;
+  traits.maxTorque = said.max_torque_N_m;
   traits.buttons = said.buttons;
   return traits;
 }

@@ -15,7 +15,10 @@ enum {
   monstrousForce,
   noTraits,
   cannotOpen,
-  failsToWrite
+  failsToWrite,
+  otherAxes,
+  monstrousTorque,
+  laterEntry
 };
 
 static int device;
@@ -31,6 +34,11 @@ static int32_t traits(void* it, PerilymphDeviceTraitsV1* out)
   out->renders_force = 1;
   out->max_force_N = FAULT == monstrousForce ? 1e9 : 1.0;
   out->nominal_period_s = 1e-3;
+  if (FAULT == otherAxes) {
+    out->actuated_translations = 2;
+    out->actuated_axes = PERILYMPH_AXIS_Y;
+  }
+  if (FAULT == monstrousTorque) out->max_torque_N_m = 1e3;
   return 0;
 }
 static int32_t openIt(void* it, char* sentence, uint32_t capacity)
@@ -54,6 +62,10 @@ static int32_t writeIt(void* it, const PerilymphDeviceWrenchV1* wrench)
   (void)wrench;
   return FAULT == failsToWrite ? 1 : 0;
 }
+
+#if FAULT == 12 /* laterEntry */
+#define perilymph_device_v1 perilymph_device_v3
+#endif
 
 const PerilymphDeviceV1* perilymph_device_v1(void);
 

@@ -40,6 +40,12 @@ public:
     const std::lock_guard lock(mutex_);
     return forces_;
   }
+  /// All torques received so far, in order [N.m].
+  std::vector<double> torques() const
+  {
+    const std::lock_guard lock(mutex_);
+    return torques_;
+  }
   bool hasReceived(double force) const
   {
     for (const double received : forces())
@@ -67,10 +73,11 @@ private:
         isLeft_ = false;
         continue;
       }
-      double force = 0.0;
-      if (::recv(file, &force, sizeof force, 0) == sizeof force) {
+      double wrench[2] = {0.0, 0.0};
+      if (::recv(file, wrench, sizeof wrench, 0) == sizeof wrench) {
         const std::lock_guard lock(mutex_);
-        forces_.push_back(force);
+        forces_.push_back(wrench[0]);
+        torques_.push_back(wrench[1]);
         continue;
       }
       ::close(file);
@@ -82,7 +89,7 @@ private:
 
   int listener_;
   mutable std::mutex mutex_;
-  std::vector<double> forces_;
+  std::vector<double> forces_, torques_;
   std::atomic<bool> isLeft_{false}, isStopping_{false};
   std::thread thread_;
 };

@@ -4,16 +4,23 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
+#include <iterator>
 
 #include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
+#include "perilymph/test/Tolerance.h"
 #include "perilymph/test/waitUntil.h"
 
 namespace perilymph::device {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::EndsWith;
 using testing::HasSubstr;
 
@@ -45,35 +52,35 @@ TEST(ExamplePlugin, TellsItsTraits)
   EXPECT_EQ(traits.name, "Example handle");
   EXPECT_EQ(traits.maxForce, 3.0);
   EXPECT_EQ(traits.actuatedTranslations, 1);
+  EXPECT_FALSE(traits.pushesAlong(0));
+  EXPECT_TRUE(traits.pushesAlong(2));
+  EXPECT_EQ(traits.maxTorque, 0.0);
 }
 
-TEST(ExamplePlugin, DriftsInwardAtTheSpeedOfForceOverDamping)
+TEST(ExamplePlugin, IsLedInwardAtTwoMillimetersPerSecondAndThenRests)
 {
-  // 0.2 N against 0.5 N.s/m: 0.4 m/s once 90 g / 0.5 N.s/m = 0.18 s have passed many times.
+  // Behind the hand by nothing at constant speed: its damper acts on the difference of the speeds.
   const auto device = loadPluginDevice(example());
   ASSERT_TRUE((*device)->open());
-  DeviceSample before, after;
-  EXPECT_TRUE(test::waitUntil([&] { return (before = next(**device)).sequence >= 3000; }));
-  after = next(**device);
-  // One read is one millisecond.
-  const double time = 1e-3 * static_cast<double>(after.sequence - before.sequence);
-  EXPECT_NEAR((after.position_D[2] - before.position_D[2]) / time, -0.4, 1e-6);
+  DeviceSample sample;
+  EXPECT_TRUE(test::waitUntil([&] { return (sample = next(**device)).sequence >= 2000; }));
+  // One read is one millisecond. The grip has settled: 90 g / 4 N.s/m is 22 ms.
+  EXPECT_NEAR(sample.position_D[2], -2e-3 * 1e-3 * static_cast<double>(sample.sequence),
+              test::tolerance(2.5e-6, "a step of 2 um: the grip acts on the place before it"));
+  EXPECT_EQ(sample.buttons, graspButton);
 }
 
-TEST(ExamplePlugin, IsPushedOutByAForceGreaterThanItsHands)
+TEST(ExamplePlugin, IsPushedOutByAForceAgainstItsGrip)
 {
-  // 0.4 N outward against 0.2 N inward, and 0.5 N.s/m: the speed goes from -0.4 to 0.4 m/s. A busy
-  // machine may take the force away for moments; half of the speed is never reached without it.
+  // 0.4 N against 100 N/m displaces it by 4 mm at rest. A busy machine may take the force away for
+  // moments; half of that is never reached without it.
   const auto device = loadPluginDevice(example());
   ASSERT_TRUE((*device)->open());
-  DeviceSample before = next(**device);
   EXPECT_TRUE(test::waitUntil([&] {
-    const DeviceSample hand = next(**device);
+    const DeviceSample sample = next(**device);
     (*device)->write({{0.0, 0.0, 0.4}, {}});
-    const double time = 1e-3 * static_cast<double>(hand.sequence - before.sequence);
-    const double speed = (hand.position_D[2] - before.position_D[2]) / time;
-    before = hand;
-    return speed > 0.2;
+    const double hand = -2e-3 * 1e-3 * static_cast<double>(sample.sequence);
+    return sample.position_D[2] - hand > 2e-3;
   }));
 }
 
@@ -107,7 +114,12 @@ TEST(ExamplePlugin, LoadedTwiceHasTwoProcesses)
 
 TEST(FaultyPlugin, IsRefusedWithASentence)
 {
-  EXPECT_THAT(refusal(faulty("anotherVersion")), HasSubstr("speaks version 2"));
+  EXPECT_THAT(refusal(faulty("anotherVersion")),
+              HasSubstr("built for version 2 of PluginApi.h, this program for version 1"));
+  EXPECT_THAT(refusal(faulty("laterEntry")),
+              HasSubstr("built for version 3 of PluginApi.h, this program for version 1"));
+  EXPECT_THAT(refusal(faulty("otherAxes")), HasSubstr("its axes 2 do not match its counts: 2"));
+  EXPECT_THAT(refusal(faulty("monstrousTorque")), HasSubstr("between 0.0001 and 10"));
   EXPECT_THAT(refusal(faulty("missingFunction")), HasSubstr("functions is missing"));
   EXPECT_THAT(refusal(faulty("tooShort")), HasSubstr("functions is missing"));
   EXPECT_THAT(refusal(faulty("noDevice")), HasSubstr("finds no device"));
@@ -141,16 +153,55 @@ TEST(NoPlugin, IsRefusedWithASentence)
 {
   const test::TemporaryFolder folder;
   EXPECT_THAT(refusal(folder.path() / "none.so"), HasSubstr("no such file"));
+  EXPECT_THAT(refusal(folder.path()), HasSubstr("it is not a file"));
   std::ofstream(folder.path() / "text.so") << "no library";
-  EXPECT_THAT(refusal(folder.path() / "text.so"), HasSubstr("cannot be loaded"));
+  EXPECT_THAT(refusal(folder.path() / "text.so"), HasSubstr("not a shared library"));
   EXPECT_THAT(refusal(test::testPlugin("empty_plugin")),
               HasSubstr("exports no perilymph_device_v1"));
+}
+
+TEST(NoPlugin, OfAnotherMachineIsRefusedBeforeAnyProcessLoadsIt)
+{
+  const test::TemporaryFolder folder;
+  std::ifstream original(example(), std::ios::binary);
+  std::string bytes((std::istreambuf_iterator<char>(original)), {});
+  ASSERT_GT(bytes.size(), 64u);
+  bytes[4] = 1;  // EI_CLASS: 32 bits
+  std::ofstream(folder.path() / "narrow.so", std::ios::binary) << bytes;
+  EXPECT_THAT(refusal(folder.path() / "narrow.so"), HasSubstr("not a shared library of this"));
+}
+
+TEST(NoPlugin, IsOneThatEverybodyMayChange)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "own.so";
+  fs::copy_file(example(), file);
+  EXPECT_EQ(refusal(file), "it was taken");
+  fs::permissions(file, fs::perms::others_write, fs::perm_options::add);
+  EXPECT_THAT(refusal(file), HasSubstr("may change it"));
+  EXPECT_THAT(refusal(file), HasSubstr("chmod o-w " + file.string()));
+  fs::permissions(file, fs::perms::others_write, fs::perm_options::remove);
+  fs::permissions(folder.path(), fs::perms::others_write, fs::perm_options::add);
+  EXPECT_THAT(refusal(file), HasSubstr("may replace it"));
+  fs::permissions(folder.path(), fs::perms::sticky_bit, fs::perm_options::add);
+  EXPECT_EQ(refusal(file), "it was taken");  // as /tmp: only its owner may replace it
+}
+
+TEST(NoPlugin, ThatMayNotBeReadIsRefusedWithTheCommandThatHelps)
+{
+  if (::geteuid() == 0) GTEST_SKIP() << "Root may read every file.";
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "own.so";
+  fs::copy_file(example(), file);
+  fs::permissions(file, fs::perms::none);
+  EXPECT_THAT(refusal(file), HasSubstr("you may not read it"));
+  EXPECT_THAT(refusal(file), HasSubstr("chmod u+r " + file.string()));
 }
 
 TEST(PluginFolder, ListsLibrariesInItAndOneLevelBelow)
 {
   const test::TemporaryFolder folder;
-  std::filesystem::create_directories(folder.path() / "a" / "b");
+  fs::create_directories(folder.path() / "a" / "b");
   for (const char* name : {"two.so", "a/one.so", "a/b/deep.so", "a/profile.toml"})
     std::ofstream(folder.path() / name) << "x";
   const auto found = pluginLibraries(folder.path());
@@ -158,6 +209,59 @@ TEST(PluginFolder, ListsLibrariesInItAndOneLevelBelow)
   EXPECT_THAT(found[0].string(), EndsWith("a/one.so"));
   EXPECT_THAT(found[1].string(), EndsWith("two.so"));
   EXPECT_TRUE(pluginLibraries(folder.path() / "none").empty());
+}
+
+TEST(InstalledPlugins, AreListedWithTheirTraitsOrWithTheReason)
+{
+  const test::TemporaryFolder own, shared;
+  fs::copy_file(example(), own.path() / "example.so");
+  std::ofstream(own.path() / "text.so") << "no library";
+  fs::create_symlink(own.path() / "gone", own.path() / "link.so");
+  fs::copy_file(faulty("noDevice"), shared.path() / "lab.so");
+  const auto found = surveyPlugins({own.path(), own.path() / "none", shared.path()});
+  ASSERT_EQ(found.size(), 4u);
+  EXPECT_EQ(found[0].name, "Example handle");
+  EXPECT_TRUE(found[0].isUsable()) << found[0].obstacle;
+  EXPECT_EQ(found[0].traits.maxForce, 3.0);
+  EXPECT_THAT(found[1].obstacle, HasSubstr("no such file"));
+  EXPECT_EQ(found[2].name, "text");
+  EXPECT_THAT(found[2].obstacle, HasSubstr("not a shared library"));
+  EXPECT_EQ(found[3].file, shared.path() / "lab.so");
+  EXPECT_THAT(found[3].obstacle, HasSubstr("finds no device"));
+}
+
+TEST(InstalledPlugins, AreFoundByTheNameOfTheDeviceOrOfTheFile)
+{
+  const std::vector<FoundPlugin> survey{{"/a/one.so", "Handle", {}, {}},
+                                        {"/a/two.so", "Other", {}, {}}};
+  for (const char* name : {"/a/two.so", "two.so", "two", "Other"}) {
+    ASSERT_NE(pluginNamed(survey, name), nullptr) << name;
+    EXPECT_EQ(pluginNamed(survey, name)->file, "/a/two.so");
+  }
+  EXPECT_EQ(pluginNamed(survey, "three"), nullptr);
+}
+
+TEST(InstalledPlugins, ThatHangWhileTheyAreLoadedAreGivenUp)
+{
+  ::setenv("PERILYMPH_TEST_FAULT", "hang in create", 1);
+  const auto began = std::chrono::steady_clock::now();
+  const auto loaded = loadPluginDevice(test::testPlugin("socket_device"), milliseconds(200));
+  ::unsetenv("PERILYMPH_TEST_FAULT");
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message, HasSubstr("did not answer and was ended"));
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
+}
+
+TEST(InstalledPlugins, AreInTheUsersDataHomeAndInThePackagesLibraries)
+{
+  const test::TemporaryFolder home;
+  ::setenv("XDG_DATA_HOME", home.path().c_str(), 1);
+  const auto folders = pluginFolders();
+  ::unsetenv("XDG_DATA_HOME");
+  ASSERT_EQ(folders.size(), 2u);
+  EXPECT_EQ(folders[0], home.path() / "perilymph/plugins");
+  EXPECT_THAT(folders[1].string(), EndsWith("/perilymph/plugins"));
+  EXPECT_TRUE(folders[1].is_absolute());
 }
 
 }  // namespace

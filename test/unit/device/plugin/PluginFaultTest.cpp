@@ -257,6 +257,27 @@ TEST_F(PluginFault, OfTheProgramThatSendsTooMuchIsLimited)
   EXPECT_EQ(*std::min_element(forces.begin(), forces.end()), -1.0);
 }
 
+TEST_F(PluginFault, OfTheProgramThatTurnsTooMuchIsLimitedToTheStatedTorque)
+{
+  load();
+  ASSERT_TRUE(device_->open());
+  // 0.03 of 0.05 N.m passes as it is; 2 N.m is shortened; NaN becomes zero and leaves the force.
+  for (const auto& [sent, written] : {std::pair{0.03, 0.03}, {2.0, 0.05}, {std::nan(""), 0.0}}) {
+    EXPECT_TRUE(waitUntil([&] {
+      device_->await(milliseconds(2));
+      device_->read();
+      device_->write({{0.0, 0.0, push}, {0.0, 0.0, sent}});
+      const auto torques = listener_.torques();
+      return listener_.force() == push && torques.back() == written;
+    })) << sent;
+  }
+  const auto torques = listener_.torques();
+  EXPECT_EQ(*std::max_element(torques.begin(), torques.end()), 0.05);
+  device_->close();
+  EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+  EXPECT_EQ(listener_.torques().back(), 0.0);
+}
+
 TEST_F(PluginFault, WithoutOneAllocatesNothingInTheTick)
 {
   if (!AllocationGuard::isAvailable()) GTEST_SKIP() << AllocationGuard::whyNot();

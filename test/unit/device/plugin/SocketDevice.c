@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-/* A plug-in whose device is at the other end of a socket: each force is a message of one number,
+/* A plug-in whose device is at the other end of a socket: each wrench is a message of two numbers,
+ * force and torque z,
  * and as with a real device, the connection ends with the process. From the first force on it has
  * the fault that PERILYMPH_TEST_FAULT names. */
 
@@ -65,6 +66,10 @@ static int32_t traits(void* it, PerilymphDeviceTraitsV1* out)
   out->nominal_period_s = 1e-3;
   out->sensed_translations = 3;
   out->actuated_translations = 3;
+  out->actuated_rotations = 1;
+  out->max_torque_N_m = 0.05;
+  out->actuated_axes =
+      PERILYMPH_AXIS_X | PERILYMPH_AXIS_Y | PERILYMPH_AXIS_Z | PERILYMPH_AXIS_TURN_Z;
   return 0;
 }
 
@@ -95,6 +100,7 @@ static int32_t readIt(void* it, PerilymphDeviceSampleV1* out)
   (void)it;
   if (hasPushed) fail("read");
   out->sequence = ++sequence;
+  if (hasFault("none but it moves")) out->position_D_m[2] = -4e-6 * (double)sequence; /* 4 mm/s */
   out->position_D_m[0] = hasPushed && hasFault("NaN from read") ? NAN : 0.0;
   out->buttons = 1;
   out->is_valid = 1;
@@ -105,7 +111,8 @@ static int32_t writeIt(void* it, const PerilymphDeviceWrenchV1* wrench)
 {
   (void)it;
   const double force = wrench->force_D_N[2];
-  send(connection, &force, sizeof force, MSG_NOSIGNAL);
+  const double message[2] = {force, wrench->torque_D_N_m[2]};
+  send(connection, message, sizeof message, MSG_NOSIGNAL);
   if (force != 0.0) hasPushed = 1;
   if (hasPushed) fail("write");
   return 0;

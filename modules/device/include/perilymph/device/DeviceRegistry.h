@@ -42,8 +42,16 @@ struct FoundDevice {
   bool isUsable() const noexcept { return obstacle.empty(); }
 };
 
+/// What a profile states, whether or not a connected device fits it.
+struct ProfileSummary {
+  KnownDevice device;
+  std::string kind;     ///< Kind of its reports: "vector".
+  std::string matches;  ///< Its criteria: "1234:0006, or usage page 0x01, usage 0x04".
+};
+
 struct DeviceSurvey {
-  std::vector<FoundDevice> devices;  ///< In the order of their nodes.
+  std::vector<FoundDevice> devices;       ///< In the order of their nodes.
+  std::optional<ProfileSummary> profile;  ///< The only one, if one was named.
   /// Messages: profiles that cannot be read, devices that the kernel refused.
   std::vector<std::string> errors;
 };
@@ -53,9 +61,17 @@ DeviceSurvey surveyDevices(const SystemRoots& roots = {});
 /// The same with one profile only: the path of its file, or the file's name without ending.
 Result<DeviceSurvey> surveyDevices(const SystemRoots& roots, const std::string& profile);
 
-/// The usable device with that name, node ("hidraw3" or its path) or identity ("256f:c635"). The
-/// error lists the available ones.
+/// The usable device with that name, node ("hidraw3" or its path), place or identity ("256f:c635").
+/// The error lists the available ones, and the places of several that are equal.
 Result<FoundDevice> findDevice(const DeviceSurvey& survey, const std::string& nameOrNode);
+
+/// Text by which a device is recognized when the program is started again: identity, place, serial
+/// number.
+std::string choiceText(const FoundDevice& found);
+
+/// The usable device of a choiceText(): the one at its place, else the one with its serial number,
+/// else the only one of its identity and interface. Null if there is none, or several.
+const FoundDevice* chosenDevice(const DeviceSurvey& survey, const std::string& choice);
 
 /// Makes a usable device; not yet open.
 ///

@@ -51,10 +51,13 @@ struct DeviceTraits {
   double nominalPeriod = 1e-3;  ///< Between reports [s].
 
   Reporting reporting = Reporting::periodic;
-  int sensedTranslations = 3;     ///< Axes of D that the device senses, 0 to 3.
-  int sensedRotations = 0;        ///< 0 to 3.
-  int actuatedTranslations = 0;   ///< Axes of D along which it can push, 0 to 3.
-  int actuatedRotations = 0;      ///< 0 to 3.
+  int sensedTranslations = 3;    ///< Axes of D that the device senses, 0 to 3.
+  int sensedRotations = 0;       ///< 0 to 3.
+  int actuatedTranslations = 0;  ///< Axes of D along which it can push, 0 to 3.
+  int actuatedRotations = 0;     ///< 0 to 3.
+  /// Bit i is the axis that it can push along (x, y, z of D: 0 to 2) or turn about (3 to 5); 0: the
+  /// first ones of each count.
+  std::uint32_t actuatedAxes = 0;
   int buttons = 1;                ///< Including the grasp button.
   double workspaceRadius = 0.0;   ///< Around D's origin [m].
   double maxTorque = 0.0;         ///< [N.m]
@@ -67,6 +70,19 @@ struct DeviceTraits {
   double transportDelay = 0.0;    ///< From a force to the report that shows its effect [s].
   double watchdog = 0.0;          ///< Time after which the device itself drops an old force [s].
   std::uint8_t polledReport = 0;  ///< Number of the feature report to request if polled.
+
+  /// Whether it can push along an axis of D: 0, 1, 2 for x, y, z.
+  bool pushesAlong(int axis) const noexcept
+  {
+    if (!rendersForce) return false;
+    return actuatedAxes != 0 ? (actuatedAxes >> axis & 1u) != 0 : axis < actuatedTranslations;
+  }
+  /// Whether it can turn the hand about an axis of D.
+  bool turnsAbout(int axis) const noexcept
+  {
+    if (maxTorque <= 0.0) return false;
+    return actuatedAxes != 0 ? (actuatedAxes >> (axis + 3) & 1u) != 0 : axis < actuatedRotations;
+  }
 };
 
 /// Result of waiting for a report.

@@ -29,8 +29,11 @@ struct HidNode {
   std::filesystem::path path;  ///< /dev/hidraw0
   std::uint32_t bus = 0;       ///< 3: USB, 5: Bluetooth, 6: virtual (uhid).
   HidIdentity identity;
-  std::string name;                      ///< Name reported by the device.
-  std::string serial;                    ///< Empty if it has none.
+  std::string name;    ///< Name reported by the device.
+  std::string serial;  ///< Empty if it has none.
+  std::string
+      place;  ///< Where it is plugged in, as the kernel states it: "usb-0000:00:14.0-2/input0";
+              ///< equal devices have different ones. Empty if it is unknown.
   std::vector<std::uint8_t> descriptor;  ///< Empty if it cannot be read.
   NodeAccess access = NodeAccess::absent;
 };

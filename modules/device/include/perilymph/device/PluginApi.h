@@ -8,14 +8,25 @@
  * Lengths in meters, forces in newtons, times in seconds; frame D is right-handed: x right, y up,
  * z toward the user. Inserting is motion along -z.
  *
- * Every struct begins with its size. Later versions only append members: check `size` before you
- * read or write a member that was added after version 1. */
+ * Every struct begins with its size. Later programs only append members: before you read or write a
+ * member that is marked as appended, check that `size` reaches beyond it; a program that is older
+ * than this header has a shorter struct. An appended member that a plug-in does not write is 0. */
 
 #include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Axes of D, as bits: translation along x, y, z, and rotation about them. */
+enum {
+  PERILYMPH_AXIS_X = 1,
+  PERILYMPH_AXIS_Y = 2,
+  PERILYMPH_AXIS_Z = 4,
+  PERILYMPH_AXIS_TURN_X = 8,
+  PERILYMPH_AXIS_TURN_Y = 16,
+  PERILYMPH_AXIS_TURN_Z = 32
+};
 
 /* Capabilities of the device. 0 means unknown. */
 typedef struct PerilymphDeviceTraitsV1 {
@@ -37,6 +48,11 @@ typedef struct PerilymphDeviceTraitsV1 {
   int32_t actuated_rotations;
   int32_t buttons;
   int32_t reserved;
+  /* Appended. */
+  double max_torque_N_m;  /* 0: renders no torque. */
+  uint32_t actuated_axes; /* Bits of the axes it pushes along and turns about, as many as the two
+                             counts of actuated ones; 0: the first ones of each count. */
+  uint32_t reserved_2;
 } PerilymphDeviceTraitsV1;
 
 /* One sample of the hand. */
@@ -53,15 +69,16 @@ typedef struct PerilymphDeviceSampleV1 {
 typedef struct PerilymphDeviceWrenchV1 {
   uint32_t size; /* Set by the program. */
   uint32_t reserved;
-  double force_D_N[3];
-  double torque_D_N_m[3];
+  double force_D_N[3];    /* At most max_force_N long. */
+  double torque_D_N_m[3]; /* At most max_torque_N_m long; zero without it. */
 } PerilymphDeviceWrenchV1;
 
 /* The functions of a plug-in; all are required. `device` is the result of create(). 0 means success,
  * any other result failure.
  *
- * A plug-in runs in a process of its own, where one thread calls all functions. create, destroy,
- * traits, open and close may take seconds. While the device is open, read is called once per
+ * A plug-in runs in a process of its own, where one thread calls all functions. create, traits and
+ * destroy are also called to list the plug-in, while another process may have the device open: they
+ * must not open or move it. create, destroy, traits, open and close may take seconds. While the device is open, read is called once per
  * nominal_period_s and write after each time step of the program: they must not block, lock,
  * allocate or log. Values that are not finite are no sample. write is called with zero before close,
  * and when no force came for 50 ms or three periods.

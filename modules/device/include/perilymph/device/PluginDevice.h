@@ -5,22 +5,54 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "perilymph/device/HapticDevice.h"
 #include "perilymph/foundation/Result.h"
+#include "perilymph/foundation/Units.h"
 
 namespace perilymph::device {
+
+/// Devices that look for their hardware when they are loaded take seconds.
+inline constexpr Duration patienceForLoading = Duration::fromSi(30.0);
+/// A plug-in that takes longer is listed without its traits.
+inline constexpr Duration patienceForSurvey = Duration::fromSi(5.0);
 
 /// Loads a plug-in in a process of its own and wraps its device; the process lives as long as the
 /// device. A plug-in that crashes or hangs ends with its process, and its force with it: samples are
 /// invalid from then on, health() states why, and open() loads it again.
 ///
-/// The error states why a library is refused: not found, not a plug-in, another version, incomplete,
-/// invalid traits. Loading executes the library's code: load only trusted libraries.
-Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const std::filesystem::path& library);
+/// The error states why a library is refused: not found, not readable, writable for everybody, not a
+/// plug-in, another version, incomplete, invalid traits, too slow. Loading executes the library's
+/// code, never in this process: load only trusted libraries.
+Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const std::filesystem::path& library,
+                                                       Duration patience = patienceForLoading);
+
+/// An installed plug-in.
+struct FoundPlugin {
+  std::filesystem::path file;
+  std::string name;     ///< Name of its device; the file's name without ending if it is refused.
+  DeviceTraits traits;  ///< As it states them; only if it is usable.
+  Sentence obstacle;    ///< Why it cannot be used; empty if it can.
+
+  bool isUsable() const noexcept { return obstacle.empty(); }
+};
+
+/// The folders in which plug-ins are installed: the user's own ($XDG_DATA_HOME/perilymph/plugins, by
+/// default in ~/.local/share), then that of the package.
+std::vector<std::filesystem::path> pluginFolders();
 
 /// The shared libraries in a folder and its subfolders, sorted.
 std::vector<std::filesystem::path> pluginLibraries(const std::filesystem::path& folder);
+
+/// Loads each installed plug-in for a moment, in a process of its own, without opening its device.
+/// May take seconds.
+std::vector<FoundPlugin> surveyPlugins(
+    const std::vector<std::filesystem::path>& folders = pluginFolders());
+
+/// The plug-in with this device name, file name (with or without its ending) or path; null if none
+/// has it.
+const FoundPlugin* pluginNamed(const std::vector<FoundPlugin>& survey, const std::string& name);
 
 }  // namespace perilymph::device

@@ -23,6 +23,22 @@ bool isFinite(const PerilymphDeviceSampleV1& sample) noexcept
          std::all_of(std::begin(sample.rotation_D), std::end(sample.rotation_D), finite);
 }
 
+/// Writes a vector along the axes of the device (bits 0 to 2), shortened to the limit; zero if it is
+/// not finite. True if the result is not zero.
+bool putLimited(const std::array<double, 3>& vector, double limit, std::uint32_t axes,
+                double* limited) noexcept
+{
+  double squared = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if ((axes >> i & 1u) != 0) squared += vector[i] * vector[i];
+  // Not for values that are not numbers, or overflow; a limit that is no number is none.
+  if (!std::isfinite(squared) || !(limit > 0.0)) return false;
+  const double scale = squared > limit * limit ? limit / std::sqrt(squared) : 1.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if ((axes >> i & 1u) != 0) limited[i] = scale * vector[i];
+  return squared > 0.0;
+}
+
 double periodOf(const Library& library) noexcept
 {
   const double period = library.traits().nominal_period_s;
@@ -79,16 +95,16 @@ void PluginRun::takeForce() noexcept
 void PluginRun::write(const Force& force) noexcept
 {
   if (isDoomed_) return;
-  const double limit = library_.traits().renders_force != 0 ? library_.traits().max_force_N : 0.0;
-  const auto& f = force.force_D;
-  const double squared = f[0] * f[0] + f[1] * f[1] + f[2] * f[2];
-  // Also without a force: values that are not numbers, or overflow.
-  double scale = std::isfinite(squared) ? 1.0 : 0.0;
-  if (squared > limit * limit && scale > 0.0) scale = limit / std::sqrt(squared);
+  const PerilymphDeviceTraitsV1& traits = library_.traits();
   PerilymphDeviceWrenchV1 wrench{};
   wrench.size = sizeof wrench;
-  for (std::size_t i = 0; i < 3 && scale > 0.0; ++i) wrench.force_D_N[i] = scale * f[i];
-  isPushing_ = scale > 0.0 && squared > 0.0;
+  constexpr std::uint32_t all = 0b111'111;
+  const std::uint32_t axes = traits.actuated_axes != 0 ? traits.actuated_axes : all;
+  const double maxForce = traits.renders_force != 0 ? traits.max_force_N : 0.0;
+  const bool isForce = putLimited(force.force_D, maxForce, axes, wrench.force_D_N);
+  const bool isTorque =
+      putLimited(force.torque_D, traits.max_torque_N_m, axes >> 3, wrench.torque_D_N_m);
+  isPushing_ = isForce || isTorque;
 
   const CallGuard mark(channel_, Function::write);
   newest_.isRefusing = library_.functions().write(library_.device(), &wrench) != 0 ? 1 : 0;

@@ -21,6 +21,8 @@ public:
     std::string node;       ///< "hidraw0"
     std::string interface;  ///< USB interface; empty on other buses.
     std::string descriptor = std::string("\x05\x01\x09\x04\xa1\x01\xc0", 7);
+    std::string place = "usb-0000:00:14.0-1/input0";
+    std::string serial = {};
   };
 
   void add(const Device& device)
@@ -34,13 +36,19 @@ public:
                            device.kernelName.substr(5, 4) + ":0000" +
                            device.kernelName.substr(10, 4);
     write(hid / "uevent", "DRIVER=hid-generic\nHID_ID=" + id + "\nHID_NAME=" + device.name +
-                              "\nHID_PHYS=usb-0000:00:14.0-1/input0\nHID_UNIQ=\n");
+                              "\nHID_PHYS=" + device.place + "\nHID_UNIQ=" + device.serial + "\n");
     write(hid / "report_descriptor", device.descriptor);
     std::filesystem::create_directory_symlink(hid, hid / "hidraw" / device.node / "device");
     addToBus(hid);
     std::filesystem::create_directories(sys() / "class/hidraw");
     std::filesystem::create_directory_symlink(hid / "hidraw" / device.node,
                                               sys() / "class/hidraw" / device.node);
+  }
+  /// Takes a device away, as if its cable were pulled.
+  void remove(const Device& device)
+  {
+    std::filesystem::remove(sys() / "class/hidraw" / device.node);
+    std::filesystem::remove(dev() / device.node);
   }
   /// A device on the HID bus for which the kernel made no node.
   void addRefused(const std::string& kernelName, const std::string& name)

@@ -38,9 +38,11 @@ InsertionBroadcast::InsertionBroadcast(Source source, QObject* parent)
 
 InsertionBroadcast::~InsertionBroadcast() = default;
 
-Result<void> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint)
+Result<void> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint,
+                                        broadcast::Coordinates coordinates)
 {
   end();
+  coordinates_ = coordinates;
   auto server = broadcast::Broadcast::start(endpoint, [this](const std::string& sentence) {
     Q_EMIT clientRefused(QString::fromStdString(sentence));
   });
@@ -69,9 +71,11 @@ void InsertionBroadcast::end()
   server_.reset();
   endpoint_.reset();
   sent_.reset();
+  sentPlacement_.reset();
   sentCt_.reset();
   packing_.cancel();
   clients_ = 0;
+  isWaitingForCt_ = false;
 }
 
 void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
@@ -79,25 +83,59 @@ void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
   sentCt_ = ct;
   packing_.cancel();
   server_->show(broadcast::PackedImage());
+  // From what is sent to the patient: the identity if that is in the patient's coordinates already.
+  std::optional<broadcast::Placement> toPatient;
+  if (ct)
+    toPatient = coordinates_ == broadcast::Coordinates::patient ? broadcast::Placement()
+                                                                : broadcast::placementOf(*ct);
+  server_->show(toPatient);
   if (!ct) return;
   // The only error is memory that is short; then no image answers the request.
   packing_.run(
-      "The CT", [ct](const std::stop_token&) { return broadcast::packImage(*ct); },
+      "The CT",
+      [ct, coordinates = coordinates_](const std::stop_token&) {
+        return broadcast::packImage(*ct, coordinates);
+      },
       [this](Result<broadcast::PackedImage> image) {
         if (image) server_->show(*std::move(image));
       });
 }
 
+/// The patient's coordinates are not known: nothing is sent.
+void InsertionBroadcast::clear()
+{
+  if (isWaitingForCt_) return;
+  isWaitingForCt_ = true;
+  sent_.reset();
+  sentPlacement_.reset();
+  sentCt_.reset();
+  packing_.cancel();
+  server_->clear();
+  Q_EMIT changed();
+}
+
+void InsertionBroadcast::publish(const Shown& shown)
+{
+  std::optional<broadcast::Placement> placement;
+  if (coordinates_ == broadcast::Coordinates::patient) {
+    if (!shown.ct) return clear();
+    placement = broadcast::placementOf(*shown.ct);
+    if (std::exchange(isWaitingForCt_, false)) Q_EMIT changed();
+  }
+  if (shown.ct != sentCt_) sendCt(shown.ct);
+  if (shown.anatomy != sent_ || placement != sentPlacement_) {
+    server_->show(broadcast::wallsOf(*shown.anatomy), placement);
+    sent_ = shown.anatomy;
+    sentPlacement_ = placement;
+  }
+  auto frame = broadcast::broadcastFrame(shown.now, shown.array);
+  frame.patient = placement;
+  server_->publish(frame);
+}
+
 void InsertionBroadcast::send()
 {
-  if (const auto shown = source_()) {
-    if (shown->anatomy != sent_) {
-      server_->show(anatomy::wallSurface(*shown->anatomy, broadcast::maxSurfaceTriangles));
-      sent_ = shown->anatomy;
-    }
-    if (shown->ct != sentCt_) sendCt(shown->ct);
-    server_->publish(broadcast::broadcastFrame(shown->now, shown->array));
-  }
+  if (const auto shown = source_()) publish(*shown);
   const int clients = static_cast<int>(server_->figures().clients);
   if (clients == clients_) return;
   clients_ = clients;

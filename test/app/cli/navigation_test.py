@@ -119,8 +119,8 @@ class Navigation(unittest.TestCase):
                 if "Sending to OpenIGTLink clients" in line:
                     break
             client = Client(port)
-            client.ask("GET_POLYDATA", "PerilymphScala")
             client.ask("GET_POLYDATA", "PerilymphArray")
+            client.ask("GET_IMAGE", "Liver")
             cls.received = []
             try:
                 for message in client.messages():
@@ -132,12 +132,12 @@ class Navigation(unittest.TestCase):
         assert program.returncode == 0, program.returncode
         with table.open() as lines:
             cls.rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines)]
-        # Frames: four messages with the same time.
+        # Frames: six messages with the same time.
         cls.frames = {}
         for kind, device, time, body in cls.received:
-            if kind != "POLYDATA":
+            if kind not in ("POLYDATA", "STATUS"):
                 cls.frames.setdefault(time, {})[device] = (kind, body)
-        cls.frames = [frame for frame in cls.frames.values() if len(frame) == 4]
+        cls.frames = [frame for frame in cls.frames.values() if len(frame) == 6]
 
     @classmethod
     def tearDownClass(cls):
@@ -200,10 +200,43 @@ class Navigation(unittest.TestCase):
             status, unit, values = sensor(body)
             self.assertEqual((kind, status, unit, len(values)), ("SENSOR", 0, NEWTON, 4))
 
-    def test_the_scala_comes_on_request(self):
-        bodies = [body for kind, device, _, body in self.received if device == "PerilymphScala"]
+    def test_the_force_is_a_transform_and_a_text_too(self):
+        for frame in self.frames:
+            row = self.rows[self.row_of(frame)]
+            kind, body = frame["PerilymphForceXYZ"]
+            self.assertEqual(kind, "TRANSFORM")
+            x, y, z, force = transform(body)
+            self.assertEqual((x, y, z), ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+            for axis, value in zip("xyz", force):
+                self.assertLessEqual(abs(value - row[f"force_{axis}_N"]), FLOAT * abs(value))
+            kind, body = frame["PerilymphReadout"]
+            self.assertEqual(kind, "STRING")
+            encoding, length = struct.unpack(">HH", body[:4])
+            self.assertEqual((encoding, length), (3, len(body) - 4))  # US-ASCII
+            lines = dict(line.split("=") for line in body[4:].decode("ascii").splitlines())
+            self.assertEqual(lines.pop("coordinates"), "cochlea")
+            for name, value in lines.items():
+                self.assertEqual(float(value), row[name], name)
+
+    def test_the_points_name_the_frame_of_their_coordinates(self):
+        for frame in self.frames:
+            owners = {text(entry[-1]) for entry in POINT.iter_unpack(frame["PerilymphContacts"][1])}
+            self.assertEqual(owners, {"cochlea"})
+
+    def test_a_name_that_is_not_sent_is_answered_by_a_status(self):
+        kind, body = next((kind, body) for kind, device, _, body in self.received if device == "Liver")
+        code, _, _, sentence = struct.unpack(f">Hq20s{len(body) - 30}s", body)
+        self.assertEqual((kind, code), ("STATUS", 4))  # not found
+        self.assertIn("sends no IMAGE of this name", text(sentence))
+
+    def test_both_scalae_come_on_connection(self):
+        bodies = [body for kind, device, _, body in self.received if device == "PerilymphVestibuli"]
         self.assertEqual(len(bodies), 1)
-        corners, triangles = polydata(bodies[0])
+        corners, _ = polydata(bodies[0])
+        # It lies above the scala tympani.
+        tympani, _ = polydata(next(body for _, device, _, body in self.received if device == "PerilymphScala"))
+        self.assertGreater(max(z for _, _, z in corners), max(z for _, _, z in tympani))
+        corners, triangles = polydata(next(body for _, device, _, body in self.received if device == "PerilymphScala"))
         self.assertGreater(len(triangles), 1000)
         self.assertEqual(max(max(triangle) for triangle in triangles), len(corners) - 1)
         # a human scala tympani lies within 10 mm of the modiolar axis's foot
@@ -211,7 +244,8 @@ class Navigation(unittest.TestCase):
 
     def test_the_array_is_where_the_frames_around_it_say(self):
         names = [device for _, device, _, _ in self.received]
-        self.assertEqual(names.count("PerilymphArray"), 1)
+        # ten times a second, in three
+        self.assertGreater(names.count("PerilymphArray"), 10)
         place = names.index("PerilymphArray")
         after = next(i for i in range(place, len(names)) if names[i] == "PerilymphTip")
         *_, tip = transform(self.received[after][3])

@@ -5,6 +5,7 @@ http://openigtlink.org/protocols/v2_header.html and the pages of the message typ
 that packed it, and compared with the table of the same insertion."""
 
 import csv
+import importlib.util
 import math
 import socket
 import struct
@@ -14,7 +15,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # nothing beside what is installed
 CLI = Path(sys.argv.pop(1)) / "perilymph-cli" if len(sys.argv) > 1 else None
+MODULE = Path(__file__).resolve().parents[3] / "resources/slicer/PerilymphInsertion.py"
 HEADER = struct.Struct(">H12s20sQQQ")  # version, type, device, time, size of the body, CRC-64
 POINT = struct.Struct(">64s32s4B3ff20s")
 NEWTON = 0x0B << 54 | 1 << 50  # v2_unit: derived unit 0x0B to the power of 1
@@ -217,6 +220,25 @@ class Navigation(unittest.TestCase):
             self.assertEqual(lines.pop("coordinates"), "cochlea")
             for name, value in lines.items():
                 self.assertEqual(float(value), row[name], name)
+
+    def test_the_module_of_slicer_reads_the_same(self):
+        spec = importlib.util.spec_from_file_location("PerilymphInsertion", MODULE)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        curve = module.ForceCurve()
+        for frame in self.frames:
+            row = self.rows[self.row_of(frame)]
+            values = module.readout(frame[module.READOUT][1][4:].decode("ascii"))
+            self.assertEqual(values["force_axial_N"], row["force_axial_N"])
+            columns = transform(frame[module.FORCE][1])
+            force = module.force_of([[column[i] for column in columns] for i in range(3)])
+            self.assertAlmostEqual(force[2], row["force_z_N"], delta=FLOAT * abs(force[2]))
+            curve.add(values)
+        self.assertEqual(curve.peak_N, max(max(self.rows[self.row_of(f)]["force_axial_N"] for f in self.frames), 0.0))
+        names = {device for _, device, _, _ in self.received}
+        for name, *_ in module.PLACED:
+            if name != module.CT:
+                self.assertIn(name, names)
 
     def test_the_points_name_the_frame_of_their_coordinates(self):
         for frame in self.frames:

@@ -39,11 +39,12 @@ PLACED = (
     ("PerilymphVestibuli", "vtkMRMLModelNode", (0.80, 0.70, 0.90), 0.12),
     (CT, "vtkMRMLScalarVolumeNode", None, None),
 )
+TEXTS = ("coordinates", "patient")
 REFRESH_MS = 100  # of plot and display; the force is kept at the rate at which it comes
 
 
 def readout(text):
-    """The values of a STRING PerilymphReadout by name: numbers, and the text of 'coordinates'. Names end in their unit.
+    """The values of a STRING PerilymphReadout by name: numbers, and the texts of TEXTS. Names of numbers end in their unit.
 
     Raises ValueError with a sentence if a line has no value, or one that is no number."""
     values = {}
@@ -51,7 +52,7 @@ def readout(text):
         name, separator, value = line.partition("=")
         if not separator or not name:
             raise ValueError(f"The line '{line}' of {READOUT} is not of the form name=value.")
-        if name == "coordinates":
+        if name in TEXTS:
             values[name] = value
             continue
         try:
@@ -168,6 +169,10 @@ class PerilymphInsertionLogic(ScriptedLoadableModuleLogic, VTKObservationMixin):
     def node(name, kind):
         return slicer.util.getFirstNodeByClassByName(kind, name)
 
+    def isInPatient(self):
+        """Whether the CT and the transform to the patient are those of the cochlea that is shown."""
+        return self.values.get("patient") == "known"
+
     def refresh(self):
         """Places and styles what has come since, and updates the plot."""
         self._observeReadout()
@@ -195,20 +200,26 @@ class PerilymphInsertionLogic(ScriptedLoadableModuleLogic, VTKObservationMixin):
     def _onReadout(self, caller=None, event=None):
         try:
             self.values = readout(self._text.GetText() or "")
-            if self.values:
+            if "time_s" in self.values:  # else nothing of an insertion is known
                 self.curve.add(self.values)
             self.error = ""
         except (KeyError, ValueError) as error:
             self.error = str(error)
 
     def _place(self):
-        patient = self.node(TO_PATIENT, "vtkMRMLLinearTransformNode")
+        patient = self.node(TO_PATIENT, "vtkMRMLLinearTransformNode") if self.isInPatient() else None
+        parent = patient.GetID() if patient is not None else None
         for name, kind, color, opacity in PLACED:
             node = self.node(name, kind)
             if node is None:
                 continue
-            if patient is not None and node.GetTransformNodeID() != patient.GetID():
-                node.SetAndObserveTransformNodeID(patient.GetID())
+            if name == CT and parent is None:  # that of another cochlea
+                if name in self._styled:
+                    self._styled.remove(name)
+                    slicer.util.setSliceViewerLayers(background=None)
+                continue
+            if node.GetTransformNodeID() != parent:
+                node.SetAndObserveTransformNodeID(parent)
             if name in self._styled:
                 continue
             self._styled.add(name)
@@ -323,7 +334,7 @@ class PerilymphInsertionWidget(ScriptedLoadableModuleWidget):
         self.logic.refresh()
         self.state.text = self.logic.error or self.stateText()
         values = self.logic.values
-        if values:
+        if "time_s" in values:
             self.force.text = f"{1e3 * values['force_axial_N']:.0f} mN, peak {1e3 * self.logic.curve.peak_N:.0f} mN"
             self.depth.text = f"{values['depth_mm']:.1f} mm, tip at {values['tip_angle_deg']:.0f} degrees"
         tip = self.logic.tip() if self.follow.checked else None
@@ -335,6 +346,6 @@ class PerilymphInsertionWidget(ScriptedLoadableModuleWidget):
             return "Not connected"
         if not self.logic.isConnected():
             return "Waiting for Perilymph: turn its stream on in its settings."
-        if self.logic.node(TO_PATIENT, "vtkMRMLLinearTransformNode") is None:
+        if not self.logic.isInPatient():
             return "Connected. The CT of this cochlea is not open in Perilymph: the array is in the frame of the cochlea."
         return "Connected, in the coordinates of the patient's CT"

@@ -75,42 +75,45 @@ void InsertionBroadcast::end()
   sentCt_.reset();
   packing_.cancel();
   clients_ = 0;
-  isWaitingForCt_ = false;
+  isWaitingForCt_ = isPlaced_ = false;
 }
 
 void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
 {
   sentCt_ = ct;
   packing_.cancel();
+  isPlaced_ = false;
   server_->show(broadcast::PackedImage());
-  // From what is sent to the patient: the identity if that is in the patient's coordinates already.
-  std::optional<broadcast::Placement> toPatient;
-  if (ct)
-    toPatient = coordinates_ == broadcast::Coordinates::patient ? broadcast::Placement()
-                                                                : broadcast::placementOf(*ct);
-  server_->show(toPatient);
+  server_->show(std::optional<broadcast::Placement>());
   if (!ct) return;
-  // The only error is memory that is short; then no image answers the request.
+  // From what is sent to the patient: the identity if that is in the patient's coordinates already.
+  // It comes with the CT: no array is over the CT of another patient meanwhile.
+  const auto toPatient = coordinates_ == broadcast::Coordinates::patient
+                             ? broadcast::Placement()
+                             : broadcast::placementOf(*ct);
+  // The only error is memory that is short; then there is no image.
   packing_.run(
       "The CT",
       [ct, coordinates = coordinates_](const std::stop_token&) {
         return broadcast::packImage(*ct, coordinates);
       },
-      [this](Result<broadcast::PackedImage> image) {
+      [this, toPatient](Result<broadcast::PackedImage> image) {
+        server_->show(toPatient);
         if (image) server_->show(*std::move(image));
+        isPlaced_ = true;
       });
 }
 
-/// The patient's coordinates are not known: nothing is sent.
+/// The patient's coordinates are not known: nothing but that is sent.
 void InsertionBroadcast::clear()
 {
+  server_->clear();  // each time, for clients that connect later or miss a frame
   if (isWaitingForCt_) return;
   isWaitingForCt_ = true;
   sent_.reset();
   sentPlacement_.reset();
   sentCt_.reset();
   packing_.cancel();
-  server_->clear();
   Q_EMIT changed();
 }
 
@@ -130,6 +133,7 @@ void InsertionBroadcast::publish(const Shown& shown)
   }
   auto frame = broadcast::broadcastFrame(shown.now, shown.array);
   frame.patient = placement;
+  frame.isPlaced = isPlaced_;
   server_->publish(frame);
 }
 

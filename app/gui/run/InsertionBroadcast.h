@@ -72,6 +72,7 @@ private:
   std::optional<broadcast::Endpoint> endpoint_;
   broadcast::Coordinates coordinates_ = broadcast::Coordinates::cochlea;
   bool isWaitingForCt_ = false;
+  bool isPlaced_ = false;  ///< The CT of what is shown was handed to the server.
   std::shared_ptr<const anatomy::ScalaTympani> sent_;  ///< The cochlea whose wall is sent.
   std::optional<broadcast::Placement> sentPlacement_;  ///< In which the wall is sent.
   std::optional<broadcast::PlacedCt> sentCt_;          ///< The CT that is sent, or being packed.

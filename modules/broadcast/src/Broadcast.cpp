@@ -233,7 +233,7 @@ void Broadcast::Content::sendFrame(std::int64_t now)
 {
   if (!frames.refresh()) return;
   hasFrame = frames.latest().isShown;
-  if (!hasFrame || connections.empty()) return;
+  if (connections.empty()) return;
   Bytes bytes = frameMessages(frames.latest());
   if (now - arrayAt >= arrayInterval)
     if (const SharedBytes array = packedArray()) {

@@ -147,6 +147,7 @@ Bytes packed(igtl::MessageBase& message, const char* name)
 
 std::string readoutText(const BroadcastFrame& frame)
 {
+  if (!frame.isShown) return "patient=unknown\n";
   const Eigen::Vector3d force = direction(frame.patient, frame.force_W);
   std::string text;
   addLine(text, "time_s", frame.time);
@@ -157,21 +158,23 @@ std::string readoutText(const BroadcastFrame& frame)
   addLine(text, "force_x_N", force.x());
   addLine(text, "force_y_N", force.y());
   addLine(text, "force_z_N", force.z());
-  return text.append("coordinates=").append(nameOf(coordinatesOf(frame))).append("\n");
+  text.append("coordinates=").append(nameOf(coordinatesOf(frame))).append("\n");
+  return text.append("patient=").append(frame.isPlaced ? "known" : "unknown").append("\n");
 }
 
 Bytes frameMessages(const BroadcastFrame& frame)
 {
   Bytes bytes;
   auto now = timeNow();
+  auto readout = igtl::StringMessage::New();
+  readout->SetString(readoutText(frame).c_str());
+  if (!frame.isShown) return packed(*readout, readoutName);
   append(bytes, *transform(frame.tip, frame.patient), tipName, now);
   append(bytes, *transform(frame.tweezers, frame.patient), tweezersName, now);
   append(bytes, *contacts(frame), contactsName, now);
   append(bytes, *force(frame), forceName, now);
   append(bytes, *transform(Eigen::Matrix3d::Identity(), direction(frame.patient, frame.force_W)),
          forceVectorName, now);
-  auto readout = igtl::StringMessage::New();
-  readout->SetString(readoutText(frame).c_str());
   append(bytes, *readout, readoutName, now);
   return bytes;
 }

@@ -33,10 +33,11 @@ inline constexpr const char* programName = "Perilymph";
 
 /// Messages of one moment with the same time stamp, in this order: TRANSFORM of tip and tweezers, POINT of
 /// the contacts [mm], SENSOR of the force (x, y, z, axial) [N], TRANSFORM whose translation is the
-/// force (x, y, z) [N], STRING of readoutText().
+/// force (x, y, z) [N], STRING of readoutText(). Only the last one if nothing is shown.
 Bytes frameMessages(const BroadcastFrame& frame);
-/// Lines "name=value" with the names of the table of an insertion (session/Csv.h), and the frame:
-/// "coordinates=cochlea".
+/// Lines "name=value" with the names of the table of an insertion (session/Csv.h), the frame:
+/// "coordinates=cochlea", and "patient=known" or "patient=unknown": without its patient, a cochlea is
+/// not to be shown over a CT that was received before. Only the last of them if nothing is shown.
 std::string readoutText(const BroadcastFrame& frame);
 /// TRANSFORM from the frame that is sent to the patient's RAS [mm].
 Bytes placementMessage(const Placement& placement);

@@ -218,6 +218,7 @@ class Navigation(unittest.TestCase):
             self.assertEqual((encoding, length), (3, len(body) - 4))  # US-ASCII
             lines = dict(line.split("=") for line in body[4:].decode("ascii").splitlines())
             self.assertEqual(lines.pop("coordinates"), "cochlea")
+            self.assertEqual(lines.pop("patient"), "unknown")
             for name, value in lines.items():
                 self.assertEqual(float(value), row[name], name)
 

@@ -38,8 +38,9 @@ class Decoding(unittest.TestCase):
             self.assertTrue(isinstance(getattr(self.module, FILE.stem + suffix), type))
 
     def test_a_readout_is_numbers_by_name_and_the_frame(self):
-        text = "time_s=1.5\nforce_axial_N=-2.5e-3\ncoordinates=patient\n"
-        self.assertEqual(self.module.readout(text), {"time_s": 1.5, "force_axial_N": -0.0025, "coordinates": "patient"})
+        text = "time_s=1.5\nforce_axial_N=-2.5e-3\ncoordinates=patient\npatient=known\n"
+        self.assertEqual(self.module.readout(text),
+                         {"time_s": 1.5, "force_axial_N": -0.0025, "coordinates": "patient", "patient": "known"})
         self.assertEqual(self.module.readout(""), {})
 
     def test_what_is_no_readout_is_refused_with_a_sentence(self):
@@ -127,14 +128,23 @@ class Placing(unittest.TestCase):
     def test_everything_that_has_come_is_moved_to_the_patient_but_the_force(self):
         placed = [self.add(kind, name) for name, kind, _, _ in self.module.PLACED]
         force = self.add("vtkMRMLLinearTransformNode", self.module.FORCE)
+        patient = self.add("vtkMRMLLinearTransformNode", self.module.TO_PATIENT)
         self.logic.refresh()
         self.assertEqual({node.parent for node in placed}, {None})  # the patient is not known
-        patient = self.add("vtkMRMLLinearTransformNode", self.module.TO_PATIENT)
+        self.slicer.util.setSliceViewerLayers.assert_not_called()
+        text = self.add("vtkMRMLTextNode", self.module.READOUT)
+        text.text = "time_s=0\ndepth_mm=1\nforce_axial_N=0\npatient=known\n"
         self.logic.refresh()
         self.assertEqual({node.parent for node in placed}, {patient.GetID()})
         self.assertIsNone(force.parent)  # newtons, no place
         self.assertEqual(self.nodes["vtkMRMLModelNode", "PerilymphScala"].style["SetOpacity"], (0.25,))
         self.slicer.util.setSliceViewerLayers.assert_called_once()
+        # The cochlea of another patient, whose CT is not open, is not over this CT.
+        text.text = "time_s=0\ndepth_mm=1\nforce_axial_N=0\npatient=unknown\n"
+        text.changed()
+        self.logic.refresh()
+        self.slicer.util.setSliceViewerLayers.assert_called_with(background=None)
+        self.assertEqual({node.parent for node in placed if node.name != self.module.CT}, {None})
 
     def test_every_text_is_a_point_of_the_curve(self):
         text = self.add("vtkMRMLTextNode", self.module.READOUT)

@@ -256,7 +256,7 @@ TEST_F(OpenIgtLink, SendsTheForceAsTextAndAsATransform)
   EXPECT_STREQ(text->GetString(),
                "time_s=1.5\ntravel_mm=0\ndepth_mm=12.25\ntip_angle_deg=57.29577951308232\n"
                "force_axial_N=0.25\nforce_x_N=0.01\nforce_y_N=-0.02\nforce_z_N=0.125\n"
-               "coordinates=cochlea\n");
+               "coordinates=cochlea\npatient=unknown\n");
 }
 
 TEST_F(OpenIgtLink, NamesTheFrameOfThePoints)
@@ -352,6 +352,9 @@ TEST_F(OpenIgtLink, SendsNothingOfAnInsertionAfterItIsCleared)
   server_->show(Walls{triangleAt(1e-3), {}});
   receive<igtl::PolyDataMessage>(*socket, "POLYDATA", "PerilymphScala");
   server_->clear();
+  std::string text;
+  while (text != "patient=unknown\n" && !HasFailure())
+    text = test::receive<igtl::StringMessage>(*socket, "PerilymphReadout")->GetString();
   PlainClient plain(server_->port());
   plain.send(PlainClient::header(1, "GET_POLYDATA", "PerilymphScala"));
   plain.send(PlainClient::header(1, "GET_POINT", "PerilymphContacts"));

@@ -77,7 +77,8 @@ public:
   /// The CT that is sent; null ends that. The same thread. A client that receives it misses the
   /// frames of that time.
   void show(PackedImage image);
-  /// Sends nothing of an insertion until the next frame. The same thread.
+  /// Sends that nothing of an insertion is known, and then nothing until the next frame. The same
+  /// thread.
   void clear();
 
   /// Any thread.

@@ -71,7 +71,9 @@ struct BroadcastFrame {
   double tipAngle = 0.0;             ///< From the round window; 0 before it [rad].
   /// Where the frame is sent in the patient's coordinates; else in W.
   std::optional<Placement> patient = std::nullopt;
-  bool isShown = true;  ///< False: nothing is known that could be sent.
+  /// The transform to the patient and the CT are those of this cochlea.
+  bool isPlaced = false;
+  bool isShown = true;  ///< False: nothing else is known that could be sent.
 };
 static_assert(std::is_trivially_copyable_v<BroadcastFrame>);
 

@@ -134,6 +134,7 @@ class PerilymphInsertionLogic(ScriptedLoadableModuleLogic, VTKObservationMixin):
         self.error = ""
         self.connector = None
         self._text = None
+        self._isRestricted = False
         self._styled = set()
         self._shown = 0
         self._columns = None
@@ -177,6 +178,7 @@ class PerilymphInsertionLogic(ScriptedLoadableModuleLogic, VTKObservationMixin):
         """Places and styles what has come since, and updates the plot."""
         self._observeReadout()
         self._place()
+        self._restrict()
         self._plot()
 
     def tip(self):
@@ -233,6 +235,16 @@ class PerilymphInsertionLogic(ScriptedLoadableModuleLogic, VTKObservationMixin):
                 display.SetTextScale(1.5)
             elif name == CT:
                 slicer.util.setSliceViewerLayers(background=node, fit=True)
+
+    def _restrict(self):
+        """Once everything that Slicer shows has come, the connector skips the rest: SENSOR, which it does not know and would
+        report as an error at each message."""
+        awaited = [(kind, name) for name, kind, _, _ in PLACED]
+        awaited += [("vtkMRMLTextNode", READOUT)] + [("vtkMRMLLinearTransformNode", name) for name in (FORCE, TO_PATIENT)]
+        if self._isRestricted or self.connector is None or any(self.node(name, kind) is None for kind, name in awaited):
+            return
+        self._isRestricted = True
+        self.connector.SetRestrictDeviceName(1)
 
     def _plot(self):
         points = self.curve.points

@@ -163,6 +163,19 @@ class Placing(unittest.TestCase):
         self.logic._onSceneClosed()
         self.assertEqual(self.logic.curve.points, [])
 
+    def test_what_slicer_does_not_show_is_skipped_once_all_the_rest_has_come(self):
+        self.logic.connect("localhost", 18944)
+        for name, kind, _, _ in self.module.PLACED:
+            self.add(kind, name)
+        self.add("vtkMRMLTextNode", self.module.READOUT)
+        self.add("vtkMRMLLinearTransformNode", self.module.FORCE)
+        self.logic.refresh()
+        self.logic.connector.SetRestrictDeviceName.assert_not_called()  # it would skip the transform to the patient
+        self.add("vtkMRMLLinearTransformNode", self.module.TO_PATIENT)
+        self.logic.refresh()
+        self.logic.refresh()
+        self.logic.connector.SetRestrictDeviceName.assert_called_once_with(1)
+
     def test_it_connects_as_a_client(self):
         self.logic.connect("localhost", 18944)
         self.slicer.mrmlScene.AddNewNodeByClass.assert_called_once_with("vtkMRMLIGTLConnectorNode", "Perilymph")

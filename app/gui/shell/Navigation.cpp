@@ -69,8 +69,8 @@ void Navigation::set(bool isOn, int port, broadcast::Coordinates coordinates)
   if (isOn) {
     broadcast::Endpoint endpoint;
     endpoint.port = static_cast<std::uint16_t>(port);
-    isOn =
-        listen(endpoint, coordinates);  // a port that is taken is not tried again at the next start
+    // A port that is taken is not tried again at the next start.
+    isOn = listen(endpoint, coordinates);
   } else {
     broadcast_.close();
   }

@@ -33,7 +33,7 @@ namespace {
 constexpr std::size_t maxClients = 8;
 constexpr int maxReports = 100;
 constexpr int look_ms = 500;  // between two looks at clients that do nothing
-// Of the array's surface: five frames. Its 40 KB are not worth more.
+// Between two surfaces of the array, 40 KB each: five frames (choice).
 constexpr std::int64_t arrayInterval = 100'000'000;  // [ns]
 // A client whose machine is switched off sends no end: asked after 5 s, given up after 10 s.
 constexpr int silentBeforeProbe_s = 5;

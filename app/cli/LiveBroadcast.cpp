@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "Terminal.h"
-#include "perilymph/anatomy/Surface.h"
 #include "perilymph/realtime/Pacer.h"
 
 namespace perilymph::cli {
@@ -30,7 +29,7 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::start(const std::string& e
   auto server = broadcast::Broadcast::start(
       *place, [](const std::string& sentence) { printError("{}\n", sentence); });
   if (!server) return server.error();
-  (*server)->show(anatomy::wallSurface(insertion.anatomy(), broadcast::maxSurfaceTriangles));
+  (*server)->show(broadcast::wallsOf(insertion.anatomy()));
   print("Sending to OpenIGTLink clients at {} port {}, in real time.\n", place->address,
         (*server)->port());
   flushOutput();

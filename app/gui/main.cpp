@@ -145,7 +145,8 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   if (isPlain) gui::restorePlace(window);
   logClients(window.navigation().broadcast());
   if (!options.igtl && isPlain) window.navigation().listenAsSet();
-  if (options.igtl && !window.navigation().listen(*options.igtl) && !beginning.memory)
+  if (options.igtl && !window.navigation().listen(*options.igtl, options.igtlCoordinates) &&
+      !beginning.memory)
     return {refuse(window.navigation().status().toStdString()), std::nullopt};
   window.show();
   const int status = openAndRun(window);
@@ -157,6 +158,7 @@ WindowEnd runWindow(gui::Application& application, const gui::TerminationSignals
   kept.quality = options.quality;
   kept.plugin = options.plugin;
   kept.igtl = window.navigation().broadcast().endpoint();
+  kept.igtlCoordinates = window.navigation().broadcast().coordinates();
   return {0, Beginning{window.control().scenario(),
                        window.page(),
                        kept,

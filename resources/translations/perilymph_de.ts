@@ -10557,6 +10557,14 @@ verwenden</translation>
         <source>OpenIGTLink on %1, %2 clients</source>
         <translation>OpenIGTLink auf %1, %2 Clients</translation>
     </message>
+    <message>
+        <source>Whoever reaches it in the network receives the insertion and the CT, without a password.</source>
+        <translation>Wer diese Adresse im Netz erreicht, erhält Insertion und CT, ohne Kennwort.</translation>
+    </message>
+    <message>
+        <source>Nothing is sent: the coordinates of the patient are known while the CT of this cochlea is open.</source>
+        <translation>Es wird nichts gesendet: Die Koordinaten des Patienten sind bekannt, solange das CT dieser Cochlea geöffnet ist.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::NavigationSection</name>
@@ -10583,6 +10591,14 @@ verwenden</translation>
     <message>
         <source>The port must be a number from %1 to %2.</source>
         <translation>Der Port muss eine Zahl von %1 bis %2 sein.</translation>
+    </message>
+    <message>
+        <source>coordinates of the cochlea</source>
+        <translation>Koordinaten der Cochlea</translation>
+    </message>
+    <message>
+        <source>coordinates of the patient (RAS), with the CT open</source>
+        <translation>Koordinaten des Patienten (RAS), bei geöffnetem CT</translation>
     </message>
 </context>
 <context>

@@ -85,6 +85,7 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   app.set_version_flag("--version", "perilymph " + buildId());
 
   std::string file, record, plugin, device, screenshot, study, plan, report, ct, igtl, bone;
+  std::string file, record, plugin, screenshot, study, plan, report, ct, igtl, igtlFrame, bone;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");
@@ -140,6 +141,13 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
           ->type_name("[ADDRESS:]PORT")
           ->excludes(planOption)
           ->check(checkEndpoint);
+  app.add_option("--igtl-frame", igtlFrame,
+                 "Frame in which the insertion is sent: cochlea, or patient (RAS, while the CT of "
+                 "the cochlea is open)")
+      ->type_name("FRAME")
+      ->needs(igtlOption)
+      ->check(CLI::IsMember({"cochlea", "patient"}))
+      ->default_str("cochlea");
   auto* screenshotOption =
       app.add_option("--screenshot", screenshot, "Save a screenshot of the window, then exit")
           ->type_name("FILE.png")
@@ -204,6 +212,8 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
   if (pluginOption->count() > 0) options.plugin = plugin;
   if (deviceOption->count() > 0) options.device = device;
   if (igtlOption->count() > 0) options.igtl = *broadcast::parseEndpoint(igtl);
+  options.igtlCoordinates =
+      valueIn(broadcast::coordinateSystems, igtlFrame).value_or(broadcast::Coordinates::cochlea);
   if (screenshotOption->count() > 0) options.screenshot = screenshot;
   return options;
 }

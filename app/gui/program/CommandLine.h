@@ -33,6 +33,7 @@ struct CommandLine {
                                             ///< one.
   double after_s = 2.0;                     ///< Delay from the first frame to the screenshot.
   std::optional<broadcast::Endpoint> igtl;  ///< Where OpenIGTLink clients may connect.
+  broadcast::Coordinates igtlCoordinates = broadcast::Coordinates::cochlea;
   std::optional<std::filesystem::path> bone;  ///< With measuresFrames: CT whose bone is turned.
   bool measuresFrames = false;                ///< Prints frame times of a demonstration and exits.
   /// With measuresFrames: inserts and withdraws until this number of ticks was recorded.

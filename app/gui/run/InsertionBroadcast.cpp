@@ -38,9 +38,11 @@ InsertionBroadcast::InsertionBroadcast(Source source, QObject* parent)
 
 InsertionBroadcast::~InsertionBroadcast() = default;
 
-Result<void> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint)
+Result<void> InsertionBroadcast::listen(const broadcast::Endpoint& endpoint,
+                                        broadcast::Coordinates coordinates)
 {
   end();
+  coordinates_ = coordinates;
   auto server = broadcast::Broadcast::start(endpoint, [this](const std::string& sentence) {
     Q_EMIT clientRefused(QString::fromStdString(sentence));
   });
@@ -69,35 +71,75 @@ void InsertionBroadcast::end()
   server_.reset();
   endpoint_.reset();
   sent_.reset();
+  sentPlacement_.reset();
   sentCt_.reset();
   packing_.cancel();
   clients_ = 0;
+  isWaitingForCt_ = isPlaced_ = false;
 }
 
 void InsertionBroadcast::sendCt(const std::optional<broadcast::PlacedCt>& ct)
 {
   sentCt_ = ct;
   packing_.cancel();
+  isPlaced_ = false;
   server_->show(broadcast::PackedImage());
+  server_->show(std::optional<broadcast::Placement>());
   if (!ct) return;
-  // The only error is memory that is short; then no image answers the request.
+  // From what is sent to the patient: the identity if that is in the patient's coordinates already.
+  // It comes with the CT: no array is over the CT of another patient meanwhile.
+  const auto toPatient = coordinates_ == broadcast::Coordinates::patient
+                             ? broadcast::Placement()
+                             : broadcast::placementOf(*ct);
+  // The only error is memory that is short; then there is no image.
   packing_.run(
-      "The CT", [ct](const std::stop_token&) { return broadcast::packImage(*ct); },
-      [this](Result<broadcast::PackedImage> image) {
+      "The CT",
+      [ct, coordinates = coordinates_](const std::stop_token&) {
+        return broadcast::packImage(*ct, coordinates);
+      },
+      [this, toPatient](Result<broadcast::PackedImage> image) {
+        server_->show(toPatient);
         if (image) server_->show(*std::move(image));
+        isPlaced_ = true;
       });
+}
+
+/// The patient's coordinates are not known: nothing but that is sent.
+void InsertionBroadcast::clear()
+{
+  server_->clear();  // each time, for clients that connect later or miss a frame
+  if (isWaitingForCt_) return;
+  isWaitingForCt_ = true;
+  sent_.reset();
+  sentPlacement_.reset();
+  sentCt_.reset();
+  packing_.cancel();
+  Q_EMIT changed();
+}
+
+void InsertionBroadcast::publish(const Shown& shown)
+{
+  std::optional<broadcast::Placement> placement;
+  if (coordinates_ == broadcast::Coordinates::patient) {
+    if (!shown.ct) return clear();
+    placement = broadcast::placementOf(*shown.ct);
+    if (std::exchange(isWaitingForCt_, false)) Q_EMIT changed();
+  }
+  if (shown.ct != sentCt_) sendCt(shown.ct);
+  if (shown.anatomy != sent_ || placement != sentPlacement_) {
+    server_->show(broadcast::wallsOf(*shown.anatomy), placement);
+    sent_ = shown.anatomy;
+    sentPlacement_ = placement;
+  }
+  auto frame = broadcast::broadcastFrame(shown.now, shown.array);
+  frame.patient = placement;
+  frame.isPlaced = isPlaced_;
+  server_->publish(frame);
 }
 
 void InsertionBroadcast::send()
 {
-  if (const auto shown = source_()) {
-    if (shown->anatomy != sent_) {
-      server_->show(anatomy::wallSurface(*shown->anatomy, broadcast::maxSurfaceTriangles));
-      sent_ = shown->anatomy;
-    }
-    if (shown->ct != sentCt_) sendCt(shown->ct);
-    server_->publish(broadcast::broadcastFrame(shown->now, shown->array));
-  }
+  if (const auto shown = source_()) publish(*shown);
   const int clients = static_cast<int>(server_->figures().clients);
   if (clients == clients_) return;
   clients_ = clients;

@@ -38,7 +38,10 @@ public:
 
   /// Listens at an endpoint instead of the previous one. The error is one sentence; then it does
   /// not listen. Emits changed().
-  Result<void> listen(const broadcast::Endpoint& endpoint);
+  ///
+  /// @param coordinates  In those of the patient, nothing is sent while the CT is not open.
+  Result<void> listen(const broadcast::Endpoint& endpoint,
+                      broadcast::Coordinates coordinates = broadcast::Coordinates::cochlea);
   /// Disconnects all clients and listens no longer.
   void close();
 
@@ -46,9 +49,12 @@ public:
   const std::optional<broadcast::Endpoint>& endpoint() const noexcept { return endpoint_; }
   /// Number of connected clients.
   int clients() const noexcept { return clients_; }
+  broadcast::Coordinates coordinates() const noexcept { return coordinates_; }
+  /// Coordinates of the patient are to be sent, and are not known.
+  bool isWaitingForCt() const noexcept { return isWaitingForCt_; }
 
 Q_SIGNALS:
-  /// It listens, or does not, or has another number of clients.
+  /// It listens, or does not, or has another number of clients, or another state of the CT.
   void changed();
   /// A client was disconnected by its own fault: one sentence. Emitted by the server's thread.
   void clientRefused(const QString& sentence);
@@ -56,13 +62,19 @@ Q_SIGNALS:
 private:
   void end();
   void send();
+  void publish(const Shown& shown);
   void sendCt(const std::optional<broadcast::PlacedCt>& ct);
+  void clear();
 
   Source source_;
   QTimer timer_;
   std::unique_ptr<broadcast::Broadcast> server_;  ///< Null while it does not listen.
   std::optional<broadcast::Endpoint> endpoint_;
+  broadcast::Coordinates coordinates_ = broadcast::Coordinates::cochlea;
+  bool isWaitingForCt_ = false;
+  bool isPlaced_ = false;  ///< The CT of what is shown was handed to the server.
   std::shared_ptr<const anatomy::ScalaTympani> sent_;  ///< The cochlea whose wall is sent.
+  std::optional<broadcast::Placement> sentPlacement_;  ///< In which the wall is sent.
   std::optional<broadcast::PlacedCt> sentCt_;          ///< The CT that is sent, or being packed.
   Background packing_;
   int clients_ = 0;

@@ -15,6 +15,7 @@ namespace {
 
 QString stateKey() { return QStringLiteral("openigtlink/server"); }
 QString portKey() { return QStringLiteral("openigtlink/port"); }
+QString coordinatesKey() { return QStringLiteral("openigtlink/coordinates"); }
 QStringList stateText() { return {QStringLiteral("off"), QStringLiteral("on")}; }
 
 }  // namespace
@@ -42,9 +43,9 @@ std::optional<InsertionBroadcast::Shown> Navigation::shown() const
   return shown;
 }
 
-bool Navigation::listen(const broadcast::Endpoint& endpoint)
+bool Navigation::listen(const broadcast::Endpoint& endpoint, broadcast::Coordinates coordinates)
 {
-  const Result<void> listening = broadcast_.listen(endpoint);
+  const Result<void> listening = broadcast_.listen(endpoint, coordinates);
   error_ = listening ? QString() : dataText(listening.error().message);
   follow();
   return isOn();
@@ -56,18 +57,20 @@ void Navigation::listenAsSet()
   if (settings.word(stateKey(), stateText()) == stateText().first()) return;
   broadcast::Endpoint endpoint;
   endpoint.port = static_cast<std::uint16_t>(port());
-  listen(endpoint);
+  listen(endpoint, coordinates());
 }
 
-void Navigation::set(bool isOn, int port)
+void Navigation::set(bool isOn, int port, broadcast::Coordinates coordinates)
 {
   UserSettings settings;
   settings.setValue(portKey(), port);
+  settings.setValue(coordinatesKey(), QString::fromLatin1(nameOf(coordinates)));
   error_.clear();
   if (isOn) {
     broadcast::Endpoint endpoint;
     endpoint.port = static_cast<std::uint16_t>(port);
-    isOn = listen(endpoint);  // a port that is taken is not tried again at the next start
+    // A port that is taken is not tried again at the next start.
+    isOn = listen(endpoint, coordinates);
   } else {
     broadcast_.close();
   }
@@ -91,15 +94,31 @@ int Navigation::port() const
   return isValid ? kept : broadcast::Endpoint().port;
 }
 
+broadcast::Coordinates Navigation::coordinates() const
+{
+  if (isOn()) return broadcast_.coordinates();
+  const std::string kept = UserSettings().value(coordinatesKey()).toString().toStdString();
+  return valueIn(broadcast::coordinateSystems, kept).value_or(broadcast::Coordinates::cochlea);
+}
+
 QString Navigation::status() const
 {
   if (isError()) return error_;
   if (!isOn()) return tr("OpenIGTLink is off: no program can connect.");
   const QString place = QString::fromStdString(textOf(*broadcast_.endpoint()));
   const int clients = broadcast_.clients();
-  if (clients == 0) return tr("OpenIGTLink on %1, no client").arg(place);
-  return clients == 1 ? tr("OpenIGTLink on %1, 1 client").arg(place)
-                      : tr("OpenIGTLink on %1, %2 clients").arg(place).arg(clients);
+  QString status = clients == 0   ? tr("OpenIGTLink on %1, no client").arg(place)
+                   : clients == 1 ? tr("OpenIGTLink on %1, 1 client").arg(place)
+                                  : tr("OpenIGTLink on %1, %2 clients").arg(place).arg(clients);
+  if (isOpenToOthers())
+    status += QStringLiteral(". ") +
+              tr("Whoever reaches it in the network receives the insertion and the CT, without a "
+                 "password.");
+  if (broadcast_.isWaitingForCt())
+    status += QStringLiteral(". ") +
+              tr("Nothing is sent: the coordinates of the patient are known while the CT of this "
+                 "cochlea is open.");
+  return status;
 }
 
 void Navigation::follow()

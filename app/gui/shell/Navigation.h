@@ -35,17 +35,20 @@ public:
   void sendCtOf(CtSource source) { ct_ = std::move(source); }
 
   /// Listens at an endpoint until the program ends. False if it cannot: status() says why.
-  bool listen(const broadcast::Endpoint& endpoint);
+  bool listen(const broadcast::Endpoint& endpoint,
+              broadcast::Coordinates coordinates = broadcast::Coordinates::cochlea);
   /// Listens if the setting is on.
   void listenAsSet();
 
   /// Keeps the setting and applies it at once.
-  void set(bool isOn, int port);
+  void set(bool isOn, int port, broadcast::Coordinates coordinates);
   bool isOn() const { return broadcast_.endpoint().has_value(); }
   /// It listens at an address that other computers may reach.
   bool isOpenToOthers() const;
   /// Where it listens, or would.
   int port() const;
+  /// In which it sends, or would.
+  broadcast::Coordinates coordinates() const;
 
   /// The state, or why it is off, in one sentence.
   QString status() const;

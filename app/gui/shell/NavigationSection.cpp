@@ -32,6 +32,8 @@ NavigationSection::NavigationSection(Navigation& navigation, QWidget* parent)
       navigation_(navigation),
       off_(new Choice(tr("off"), this)),
       on_(new Choice({}, this)),
+      cochlea_(nullptr),
+      patient_(nullptr),
       port_(new QLineEdit(this)),
       status_(new WrappedLabel({}, this))
 {
@@ -41,6 +43,20 @@ NavigationSection::NavigationSection(Navigation& navigation, QWidget* parent)
   on_->setObjectName(QStringLiteral("navigation-on"));
   for (Choice* choice : {off_, on_}) {
     choice->setFocusPolicy(Qt::TabFocus);
+    connect(choice, &QAbstractButton::clicked, this, &NavigationSection::apply);
+  }
+  // Choices of one widget exclude each other.
+  auto* frames = new QWidget(this);
+  cochlea_ = new Choice(tr("coordinates of the cochlea"), frames);
+  patient_ = new Choice(tr("coordinates of the patient (RAS), with the CT open"), frames);
+  cochlea_->setObjectName(QStringLiteral("navigation-cochlea"));
+  patient_->setObjectName(QStringLiteral("navigation-patient"));
+  auto* frameColumn = new QVBoxLayout(frames);
+  frameColumn->setContentsMargins(0, 0, 0, 0);
+  frameColumn->setSpacing(spacing);
+  for (Choice* choice : {cochlea_, patient_}) {
+    choice->setFocusPolicy(Qt::TabFocus);
+    frameColumn->addWidget(choice);
     connect(choice, &QAbstractButton::clicked, this, &NavigationSection::apply);
   }
   auto* caption = new WrappedLabel(tr("Port"), this);
@@ -69,6 +85,7 @@ NavigationSection::NavigationSection(Navigation& navigation, QWidget* parent)
   column->setSpacing(spacing);
   column->addWidget(heading);
   column->addLayout(choices);
+  column->addWidget(frames);
   column->addLayout(row);
   column->addWidget(status_);
   connect(&navigation_, &Navigation::changed, this, &NavigationSection::show);
@@ -87,8 +104,11 @@ void NavigationSection::apply()
                          .arg(Navigation::maxPort));
     return setError(*status_, true);
   }
-  const bool isAsIs = on_->isChecked() == navigation_.isOn() && port == navigation_.port();
-  if (!isAsIs) navigation_.set(on_->isChecked(), port);
+  const auto coordinates =
+      patient_->isChecked() ? broadcast::Coordinates::patient : broadcast::Coordinates::cochlea;
+  const bool isAsIs = on_->isChecked() == navigation_.isOn() && port == navigation_.port() &&
+                      coordinates == navigation_.coordinates();
+  if (!isAsIs) navigation_.set(on_->isChecked(), port, coordinates);
   show();
 }
 
@@ -97,6 +117,8 @@ void NavigationSection::show()
   on_->setText(navigation_.isOpenToOthers() ? tr("on, also for other computers")
                                             : tr("on, for programs on this computer"));
   (navigation_.isOn() ? on_ : off_)->setChecked(true);
+  const bool isPatient = navigation_.coordinates() == broadcast::Coordinates::patient;
+  (isPatient ? patient_ : cochlea_)->setChecked(true);
   // Clients come and go while a port is typed.
   if (!port_->isModified()) port_->setText(QString::number(navigation_.port()));
   status_->setText(navigation_.status());

@@ -13,7 +13,7 @@ namespace perilymph::gui {
 class Choice;
 class Navigation;
 
-/// Off or on, the port, and the state below them. It may be changed at any time.
+/// Off or on, the coordinates, the port, and the state below them. It may be changed at any time.
 class NavigationSection : public QWidget {
   Q_OBJECT
 public:
@@ -26,6 +26,8 @@ private:
   Navigation& navigation_;
   Choice* off_;
   Choice* on_;
+  Choice* cochlea_;
+  Choice* patient_;
   QLineEdit* port_;
   QLabel* status_;
 };

@@ -9,16 +9,19 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <deque>
+#include <initializer_list>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 #include "ArraySurface.h"
 #include "Connection.h"
+#include "perilymph/anatomy/ScalaVestibuli.h"
 #include "perilymph/foundation/RealTime.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/TripleBuffer.h"
@@ -30,9 +33,14 @@ namespace {
 constexpr std::size_t maxClients = 8;
 constexpr int maxReports = 100;
 constexpr int look_ms = 500;  // between two looks at clients that do nothing
+// Between two surfaces of the array, 40 KB each: five frames (choice).
+constexpr std::int64_t arrayInterval = 100'000'000;  // [ns]
 // A client whose machine is switched off sends no end: asked after 5 s, given up after 10 s.
 constexpr int silentBeforeProbe_s = 5;
 constexpr int maxUnacknowledged_ms = 10'000;
+
+/// What the publisher sets, and every client receives.
+constexpr std::array modelItems{Item::placement, Item::tympani, Item::vestibuli, Item::image};
 
 /// A socket address, IPv4 or IPv6.
 struct Address {
@@ -137,9 +145,12 @@ struct Broadcast::Content {
   void serve();
   void welcome(std::int64_t now);
   void sendFrame(std::int64_t now);
-  void packArray();
+  void takeModel();
+  void packAnswers(const Connection& client);
+  SharedBytes packedArray() const;
   void dismiss();
   void tell(const std::string& sentence);
+  void setModel(std::initializer_list<std::pair<Item, SharedBytes>> changes);
   void ring() noexcept
   {
     const std::uint64_t one = 1;
@@ -153,18 +164,21 @@ struct Broadcast::Content {
   std::atomic<bool> isStopping{false};
   realtime::TripleBuffer<BroadcastFrame> frames;
   std::mutex modelMutex;  // between the publisher's thread and the server's; no other
-  SharedBytes surface, image;
+  Answers model;          // placement, walls and image; the others are the server's
   std::atomic<std::uint64_t> clients{0}, accepted{0}, closed{0}, framesPacked{0}, skipped{0};
   std::thread thread;
 
   // Owned by the server's thread.
   std::deque<Connection> connections;
-  Answers answers{nullptr, nullptr, nullptr, std::make_shared<const Bytes>(capabilityMessage())};
+  Answers answers;
+  bool hasFrame = false;
+  std::int64_t arrayAt = 0;  // when the array was sent [ns]
   int reports = 0;
 };
 
 void Broadcast::Content::serve()
 {
+  answers[Item::capability] = std::make_shared<const Bytes>(capabilityMessage());
   std::vector<pollfd> waits;
   while (!isStopping) {
     waits = {{wake.get(), POLLIN, 0}, {listener.get(), POLLIN, 0}};
@@ -173,20 +187,17 @@ void Broadcast::Content::serve()
           {client.file(), static_cast<short>(client.isBusy() ? POLLIN | POLLOUT : POLLIN), 0});
     ::poll(waits.data(), waits.size(), look_ms);
     const std::int64_t now = realtime::monotonicNanoseconds();
+    takeModel();
     std::uint64_t rings = 0;
     if (waits[0].revents != 0 && ::read(wake.get(), &rings, sizeof rings) > 0) sendFrame(now);
 
-    {
-      const std::lock_guard lock(modelMutex);
-      answers.scala = surface;
-      answers.image = image;
-    }
-    answers.array.reset();
+    answers[Item::frame].reset();
+    answers[Item::array].reset();
     for (std::size_t i = 0; i < connections.size(); ++i) {
       Connection& client = connections[i];
       const auto [file, events, revents] = waits[i + 2];
       if (revents != 0) client.receive(now);
-      if (client.wantsArray()) packArray();
+      packAnswers(client);
       client.send(answers, now);
       client.checkPatience(now);
     }
@@ -196,22 +207,61 @@ void Broadcast::Content::serve()
   }
 }
 
+/// Called by the publisher's thread.
+void Broadcast::Content::setModel(std::initializer_list<std::pair<Item, SharedBytes>> changes)
+{
+  {
+    const std::lock_guard lock(modelMutex);
+    for (const auto& [item, bytes] : changes) model[item] = bytes;
+  }
+  ring();
+}
+
+/// What has changed is sent to all clients.
+void Broadcast::Content::takeModel()
+{
+  const std::lock_guard lock(modelMutex);
+  for (const Item item : modelItems) {
+    const bool isNew = model[item] && model[item] != answers[item];
+    answers[item] = model[item];
+    if (!isNew) continue;
+    for (Connection& client : connections) client.want(item);
+  }
+}
+
 void Broadcast::Content::sendFrame(std::int64_t now)
 {
-  if (!frames.refresh() || connections.empty()) return;
-  const auto bytes = std::make_shared<const Bytes>(frameMessages(frames.latest()));
+  if (!frames.refresh()) return;
+  hasFrame = frames.latest().isShown;
+  if (connections.empty()) return;
+  Bytes bytes = frameMessages(frames.latest());
+  if (now - arrayAt >= arrayInterval)
+    if (const SharedBytes array = packedArray()) {
+      bytes.insert(bytes.end(), array->begin(), array->end());
+      arrayAt = now;
+    }
+  const auto shared = std::make_shared<const Bytes>(std::move(bytes));
   ++framesPacked;
   for (Connection& client : connections)
-    if (!client.offer(bytes, now)) ++skipped;
+    if (!client.offer(shared, now)) ++skipped;
 }
 
 /// Once for all clients that asked for it since the last look.
-void Broadcast::Content::packArray()
+void Broadcast::Content::packAnswers(const Connection& client)
 {
-  if (answers.array) return;
-  const anatomy::Surface array = arraySurface(frames.latest());
-  if (array.triangles.empty()) return;
-  answers.array = std::make_shared<const Bytes>(surfaceMessage(array, arrayName));
+  if (!hasFrame) return;
+  if (client.wants(Item::array) && !answers[Item::array]) answers[Item::array] = packedArray();
+  if (client.wants(Item::frame) && !answers[Item::frame])
+    answers[Item::frame] = std::make_shared<const Bytes>(frameMessages(frames.latest()));
+}
+
+/// The surface of the newest frame's array; null if it has none.
+SharedBytes Broadcast::Content::packedArray() const
+{
+  const BroadcastFrame& frame = frames.latest();
+  const anatomy::Surface array = arraySurface(frame);
+  if (array.triangles.empty()) return nullptr;
+  return std::make_shared<const Bytes>(surfaceMessage(array, arrayName, frame.patient));
 }
 
 void Broadcast::Content::welcome(std::int64_t now)
@@ -229,6 +279,8 @@ void Broadcast::Content::welcome(std::int64_t now)
   dismiss();
   prepareClient(socket.get());
   connections.emplace_back(std::move(socket), peer.text(), now);
+  for (const Item item : modelItems) connections.back().want(item);
+  connections.back().send(answers, now);
   ++accepted;
 }
 
@@ -251,6 +303,12 @@ void Broadcast::Content::dismiss()
 void Broadcast::Content::tell(const std::string& sentence)
 {
   if (++reports <= maxReports && report) report(sentence);
+}
+
+Walls wallsOf(const anatomy::ScalaTympani& scala)
+{
+  return {anatomy::wallSurface(scala, maxSurfaceTriangles),
+          anatomy::vestibuliSurface(scala, maxSurfaceTriangles)};
 }
 
 Broadcast::Broadcast(std::unique_ptr<Content> content) : content_(std::move(content))
@@ -294,23 +352,34 @@ void Broadcast::publish(const BroadcastFrame& frame) noexcept
   content_->ring();
 }
 
-void Broadcast::show(const anatomy::Surface& surface)
+void Broadcast::show(const Walls& walls, const std::optional<Placement>& patient)
 {
-  auto bytes = std::make_shared<const Bytes>(surfaceMessage(surface, scalaName));
-  {
-    const std::lock_guard lock(content_->modelMutex);
-    content_->surface = std::move(bytes);
-  }
-  content_->ring();
+  const auto packed = [&](const anatomy::Surface& surface, const char* name) -> SharedBytes {
+    if (surface.triangles.empty()) return nullptr;
+    return std::make_shared<const Bytes>(surfaceMessage(surface, name, patient));
+  };
+  content_->setModel({{Item::tympani, packed(walls.tympani, scalaName)},
+                      {Item::vestibuli, packed(walls.vestibuli, vestibuliName)}});
 }
 
-void Broadcast::show(PackedImage image)
+void Broadcast::show(const std::optional<Placement>& toPatient)
 {
-  {
-    const std::lock_guard lock(content_->modelMutex);
-    content_->image = std::move(image);
-  }
-  content_->ring();
+  content_->setModel(
+      {{Item::placement,
+        toPatient ? std::make_shared<const Bytes>(placementMessage(*toPatient)) : nullptr}});
+}
+
+void Broadcast::show(PackedImage image) { content_->setModel({{Item::image, std::move(image)}}); }
+
+void Broadcast::clear()
+{
+  content_->setModel({{Item::placement, nullptr},
+                      {Item::tympani, nullptr},
+                      {Item::vestibuli, nullptr},
+                      {Item::image, nullptr}});
+  BroadcastFrame nothing;
+  nothing.isShown = false;
+  publish(nothing);
 }
 
 BroadcastFigures Broadcast::figures() const noexcept

@@ -56,12 +56,32 @@ void copyShape(const haptics::Snapshot& now, const electrode::ArrayDesign& array
 
 }  // namespace
 
+Eigen::Vector3d directionIn(const Placement& placement, const Eigen::Vector3d& vector_W)
+{
+  Eigen::Vector3d vector_R = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& axis = placement.axis_R[i];
+    vector_R += vector_W[static_cast<Eigen::Index>(i)] * Eigen::Vector3d(axis[0], axis[1], axis[2]);
+  }
+  return vector_R;
+}
+
+Eigen::Vector3d pointIn(const Placement& placement, const Eigen::Vector3d& point_W)
+{
+  const auto& origin = placement.origin_R;
+  return Eigen::Vector3d(origin[0], origin[1], origin[2]) + directionIn(placement, point_W);
+}
+
 BroadcastFrame broadcastFrame(const haptics::Snapshot& now, const electrode::ArrayDesign& array)
 {
   BroadcastFrame frame;
   frame.tick = now.tick;
   frame.force_W = now.output.force_W;
   frame.axialForce = now.output.axialForce;
+  frame.time = now.output.time;
+  frame.travel = now.output.travel;
+  frame.depth = now.output.depth;
+  frame.tipAngle = now.output.angularDepth;
   frame.tip.place_W = now.output.tip_W;
   frame.tweezers.place_W = now.output.proxy_W;
   if (now.nodes < 2 || !hasFiniteNodes(now)) return frame;

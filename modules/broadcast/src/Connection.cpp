@@ -8,14 +8,39 @@
 #include <array>
 #include <cerrno>
 #include <span>
+#include <string_view>
 
 namespace perilymph::broadcast {
 
 namespace {
 
 constexpr std::int64_t patience = 5'000'000'000;  // [ns]
-// A client that sends without pause gets its turn again after the others.
+// A client that sends or takes without pause gets its turn again after the others.
 constexpr int maxPieces = 16;
+constexpr std::size_t maxSentAtOnce = 1 << 20;
+// Answers to requests for what does not exist; further ones are dropped until these are taken.
+constexpr std::size_t maxStatuses = 16;
+// As the protocol numbers them.
+constexpr std::uint16_t statusOk = 1, statusNotFound = 4, statusUnknownInstruction = 12,
+                        statusNotReady = 13;
+
+/// A device that can be requested.
+struct Device {
+  const char* type;  ///< "GET_" in front of it requests one, in at most 12 characters.
+  const char* name;
+  Item item;
+};
+constexpr std::array devices{Device{"TRANS", tipName, Item::frame},
+                             Device{"TRANS", tweezersName, Item::frame},
+                             Device{"TRANS", forceVectorName, Item::frame},
+                             Device{"TRANS", toPatientName, Item::placement},
+                             Device{"POINT", contactsName, Item::frame},
+                             Device{"SENSOR", forceName, Item::frame},
+                             Device{"STRING", readoutName, Item::frame},
+                             Device{"POLYDATA", scalaName, Item::tympani},
+                             Device{"POLYDATA", vestibuliName, Item::vestibuli},
+                             Device{"POLYDATA", arrayName, Item::array},
+                             Device{"IMAGE", ctName, Item::image}};
 
 bool isOnlyLater() noexcept { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
@@ -50,25 +75,40 @@ bool Connection::offer(const SharedBytes& frame, std::int64_t now)
   return true;
 }
 
-void Connection::answer(bool& isWanted, const SharedBytes& bytes, std::int64_t now)
+void Connection::beginNext(const Answers& answers, std::int64_t now)
 {
-  if (isWanted && bytes && offer(bytes, now)) isWanted = false;
+  for (std::size_t i = 0; i < items; ++i) {
+    if (!wanted_[i] || answers.bytes[i] || asked_[i].empty()) continue;
+    addStatus(asked_[i], statusNotReady,
+              "There is no " + asked_[i] + " yet. It is sent as soon as there is one.");
+    asked_[i].clear();
+  }
+  if (!isBusy() && !statuses_.empty()) {
+    offer(statuses_.front(), now);
+    statuses_.pop_front();
+  }
+  for (std::size_t i = 0; i < items && !isBusy(); ++i) {
+    if (!wanted_[i] || !answers.bytes[i]) continue;
+    offer(answers.bytes[i], now);
+    wanted_[i] = false;
+    asked_[i].clear();
+  }
 }
 
 void Connection::send(const Answers& answers, std::int64_t now)
 {
+  std::size_t total = 0;
   while (!hasEnded_) {
-    answer(wantsCapability_, answers.capability, now);
-    answer(wantsScala_, answers.scala, now);
-    answer(wantsArray_, answers.array, now);
-    answer(wantsImage_, answers.image, now);
-    if (!isBusy()) return;
+    beginNext(answers, now);
+    if (!isBusy() || total >= maxSentAtOnce) return;
     // MSG_NOSIGNAL: a client that is gone is an error, not a signal.
-    const ssize_t count = ::send(file(), sending_->data() + sent_, sending_->size() - sent_,
+    const ssize_t count = ::send(file(), sending_->data() + sent_,
+                                 std::min(sending_->size() - sent_, maxSentAtOnce - total),
                                  MSG_NOSIGNAL | MSG_DONTWAIT);
     if (count < 0 && isOnlyLater()) return;
     if (count < 0) return end({});
     tookAt_ = now;
+    total += static_cast<std::size_t>(count);
     sent_ += static_cast<std::size_t>(count);
     if (sent_ == sending_->size()) sending_.reset();
   }
@@ -99,13 +139,35 @@ void Connection::receive(std::int64_t now)
 
 void Connection::note(const RequestReader::Request& request)
 {
-  if (request.type == "GET_CAPABIL") wantsCapability_ = true;
-  const auto isFor = [&](const char* type, const char* name) {
-    return request.type == type && (request.device.empty() || request.device == name);
-  };
-  if (isFor("GET_POLYDATA", scalaName)) wantsScala_ = true;
-  if (isFor("GET_POLYDATA", arrayName)) wantsArray_ = true;
-  if (isFor("GET_IMAGE", ctName)) wantsImage_ = true;
+  constexpr std::string_view prefix = "GET_";
+  if (!request.type.starts_with(prefix)) return;
+  const std::string type = request.type.substr(prefix.size());
+  if (type == "CAPABIL") return want(Item::capability);
+  if (type == "STATUS") return addStatus(request.device, statusOk, "Perilymph sends an insertion.");
+  bool isType = false, isFound = false;
+  for (const Device& device : devices) {
+    if (type != device.type) continue;
+    isType = true;
+    if (!request.device.empty() && request.device != device.name) continue;
+    want(device.item);
+    // Of a request without a name, which is for all of a type, the first one answers for them.
+    if (!request.device.empty() || !isFound)
+      asked_[static_cast<std::size_t>(device.item)] = device.name;
+    isFound = true;
+  }
+  if (!isType)
+    addStatus(request.device, statusUnknownInstruction,
+              "Perilymph sends no " + type + ". GET_CAPABIL requests the types that it sends.");
+  else if (!isFound)
+    addStatus(request.device, statusNotFound,
+              "Perilymph sends no " + type + " of this name. A request without a name is for all.");
+}
+
+void Connection::addStatus(const std::string& device, std::uint16_t code,
+                           const std::string& sentence)
+{
+  if (statuses_.size() >= maxStatuses) return;
+  statuses_.push_back(std::make_shared<const Bytes>(statusMessage(device, code, sentence)));
 }
 
 void Connection::checkPatience(std::int64_t now)

@@ -3,6 +3,7 @@
 
 // One client of a broadcast: what waits to be sent to it, and what it asks for.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -34,9 +35,17 @@ private:
 /// Messages that several connections send, packed once.
 using SharedBytes = std::shared_ptr<const Bytes>;
 
-/// The answers to requests; null while there is none.
+/// What a client is sent on request, in the order in which it is sent. Those from `placement` to
+/// `image` are also sent on connection and when they change.
+enum class Item { capability, frame, placement, tympani, vestibuli, array, image };
+inline constexpr std::size_t items = 7;
+
+/// The messages of all items; null while there is none.
 struct Answers {
-  SharedBytes scala, array, image, capability;
+  std::array<SharedBytes, items> bytes;
+
+  SharedBytes& operator[](Item item) { return bytes[static_cast<std::size_t>(item)]; }
+  const SharedBytes& operator[](Item item) const { return bytes[static_cast<std::size_t>(item)]; }
 };
 
 /// A connected client. Never blocks; memory is bounded by one message at a time.
@@ -51,9 +60,13 @@ public:
 
   /// Begins to send a frame. False if the client has not yet taken what was sent before.
   bool offer(const SharedBytes& frame, std::int64_t now);
-  /// It asked for the array, which is made for the answer.
-  bool wantsArray() const noexcept { return wantsArray_; }
-  /// Sends what the client takes, then what it asked for.
+  /// Sends an item as soon as there is one and the client takes it.
+  void want(Item item) noexcept { wanted_[static_cast<std::size_t>(item)] = true; }
+  /// An item is to be sent; those that are made for the answer are made then.
+  bool wants(Item item) const noexcept { return wanted_[static_cast<std::size_t>(item)]; }
+  /// Sends what the client takes, then what it asked for; a megabyte at a time, so that the other
+  /// clients do not wait for one that takes much. An item that it asked for by name and that does
+  /// not exist yet is announced by a STATUS, and sent later.
   void send(const Answers& answers, std::int64_t now);
   /// Reads what the client sent.
   void receive(std::int64_t now);
@@ -71,18 +84,21 @@ public:
 
 private:
   void end(const std::string& why);
-  void answer(bool& isWanted, const SharedBytes& bytes, std::int64_t now);
+  void beginNext(const Answers& answers, std::int64_t now);
   void note(const RequestReader::Request& request);
+  void addStatus(const std::string& device, std::uint16_t code, const std::string& sentence);
 
   OwnedSocket socket_;
   std::string name_;
   RequestReader reader_;
   SharedBytes sending_;
   std::size_t sent_ = 0;
-  bool wantsScala_ = false, wantsArray_ = false, wantsImage_ = false, wantsCapability_ = false;
-  std::int64_t tookAt_, finishedAt_;  // the client: bytes of ours, a message of its own [ns]
-  std::int64_t saidAt_;               // its last message [ns]; at first, when it connected
-  std::uint64_t skippedThen_ = 0;     // bytes skipped at finishedAt_
+  std::array<bool, items> wanted_{};
+  std::array<std::string, items> asked_;  // the device, until its absence was stated
+  std::deque<SharedBytes> statuses_;      // at most maxStatuses
+  std::int64_t tookAt_, finishedAt_;      // the client: bytes of ours, a message of its own [ns]
+  std::int64_t saidAt_;                   // its last message [ns]; at first, when it connected
+  std::uint64_t skippedThen_ = 0;         // bytes skipped at finishedAt_
   bool hasEnded_ = false;
   std::string fault_;
 };

@@ -35,16 +35,32 @@ Eigen::Vector3d centerOf(const PlacedCt& ct)
 
 }  // namespace
 
-Result<PackedImage> packImage(const PlacedCt& ct)
+Placement placementOf(const PlacedCt& ct)
+{
+  Placement placement;
+  const Eigen::Vector3d rasOfLps(-1.0, -1.0, 1.0);
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    const auto to = static_cast<std::size_t>(row);
+    placement.origin_R[to] = rasOfLps[row] * ct.origin_P[row] * 1e-3;
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      placement.axis_R[static_cast<std::size_t>(axis)][to] = rasOfLps[row] * ct.axes_PW(row, axis);
+  }
+  return placement;
+}
+
+Result<PackedImage> packImage(const PlacedCt& ct, Coordinates coordinates)
 {
   auto part = ct.volume->crop(centerOf(ct), radiusOf(*ct.volume));
   if (!part) return part.error();
-  const Eigen::Matrix3d axes_WP = ct.axes_PW.inverse();
-  Eigen::Matrix4d placed_WI = part->lpsFromIndex();
-  placed_WI.topLeftCorner<3, 3>() = axes_WP * part->lpsFromIndex().topLeftCorner<3, 3>();
-  placed_WI.topRightCorner<3, 1>() =
-      axes_WP * (part->lpsFromIndex().topRightCorner<3, 1>() - ct.origin_P);
-  return std::make_shared<const Bytes>(imageMessage(*part, placed_WI));
+  // S: the frame that is sent.
+  Eigen::Matrix4d placed_SP = Eigen::Matrix4d::Identity();
+  if (coordinates == Coordinates::patient) {
+    placed_SP.diagonal().head<2>().setConstant(-1.0);  // RAS of LPS
+  } else {
+    placed_SP.topLeftCorner<3, 3>() = ct.axes_PW.inverse();
+    placed_SP.topRightCorner<3, 1>() = -ct.axes_PW.inverse() * ct.origin_P;
+  }
+  return std::make_shared<const Bytes>(imageMessage(*part, placed_SP * part->lpsFromIndex()));
 }
 
 }  // namespace perilymph::broadcast

@@ -63,8 +63,9 @@ void RequestReader::readHeader()
   const auto device = text(header.subspan(14, 20));
   bodyLeft_ = bigEndian(header.subspan(42, 8));
   statedCrc_ = bigEndian(header.subspan(50, 8));
-  if (version < 1 || version > 2)
-    fault_ = "its header has version " + std::to_string(version) + ", not 1 or 2";
+  if (version < 1 || version > maxVersion)
+    fault_ = "its header has version " + std::to_string(version) + ", not 1 to " +
+             std::to_string(maxVersion);
   else if (!type || type->empty() || !device)
     fault_ = "its header has no valid type or name";
   isSkipped_ = bodyLeft_ > maxBody;

@@ -14,10 +14,13 @@ namespace perilymph::broadcast {
 
 /// Reads a stream of OpenIGTLink messages in pieces of any size, in constant memory. A header has 58
 /// bytes, big-endian: version (2 bytes), type (12), device name (20), time (8), size of the body
-/// (8), CRC-64 of the body (8). (OpenIGTLink protocol version 2; header version 2 is protocol 3.)
+/// (8), CRC-64 of the body (8). (OpenIGTLink protocol version 2; header version 2 is protocol 3, whose
+/// extended header and metadata are part of the body.)
 class RequestReader {
 public:
   static constexpr std::size_t headerSize = 58;
+  /// Protocol 3 has header version 2. Some senders write the protocol's version.
+  static constexpr std::uint64_t maxVersion = 3;
   /// Larger bodies are skipped unread: requests have none, and what else is sent is dropped.
   static constexpr std::uint64_t maxBody = 1 << 20;
 

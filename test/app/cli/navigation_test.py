@@ -5,6 +5,7 @@ http://openigtlink.org/protocols/v2_header.html and the pages of the message typ
 that packed it, and compared with the table of the same insertion."""
 
 import csv
+import importlib.util
 import math
 import socket
 import struct
@@ -14,7 +15,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # nothing beside what is installed
 CLI = Path(sys.argv.pop(1)) / "perilymph-cli" if len(sys.argv) > 1 else None
+MODULE = Path(__file__).resolve().parents[3] / "resources/slicer/PerilymphInsertion.py"
 HEADER = struct.Struct(">H12s20sQQQ")  # version, type, device, time, size of the body, CRC-64
 POINT = struct.Struct(">64s32s4B3ff20s")
 NEWTON = 0x0B << 54 | 1 << 50  # v2_unit: derived unit 0x0B to the power of 1
@@ -119,8 +122,8 @@ class Navigation(unittest.TestCase):
                 if "Sending to OpenIGTLink clients" in line:
                     break
             client = Client(port)
-            client.ask("GET_POLYDATA", "PerilymphScala")
             client.ask("GET_POLYDATA", "PerilymphArray")
+            client.ask("GET_IMAGE", "Liver")
             cls.received = []
             try:
                 for message in client.messages():
@@ -132,12 +135,12 @@ class Navigation(unittest.TestCase):
         assert program.returncode == 0, program.returncode
         with table.open() as lines:
             cls.rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(lines)]
-        # Frames: four messages with the same time.
+        # Frames: six messages with the same time.
         cls.frames = {}
         for kind, device, time, body in cls.received:
-            if kind != "POLYDATA":
+            if kind not in ("POLYDATA", "STATUS"):
                 cls.frames.setdefault(time, {})[device] = (kind, body)
-        cls.frames = [frame for frame in cls.frames.values() if len(frame) == 4]
+        cls.frames = [frame for frame in cls.frames.values() if len(frame) == 6]
 
     @classmethod
     def tearDownClass(cls):
@@ -200,10 +203,63 @@ class Navigation(unittest.TestCase):
             status, unit, values = sensor(body)
             self.assertEqual((kind, status, unit, len(values)), ("SENSOR", 0, NEWTON, 4))
 
-    def test_the_scala_comes_on_request(self):
-        bodies = [body for kind, device, _, body in self.received if device == "PerilymphScala"]
+    def test_the_force_is_a_transform_and_a_text_too(self):
+        for frame in self.frames:
+            row = self.rows[self.row_of(frame)]
+            kind, body = frame["PerilymphForceXYZ"]
+            self.assertEqual(kind, "TRANSFORM")
+            x, y, z, force = transform(body)
+            self.assertEqual((x, y, z), ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+            for axis, value in zip("xyz", force):
+                self.assertLessEqual(abs(value - row[f"force_{axis}_N"]), FLOAT * abs(value))
+            kind, body = frame["PerilymphReadout"]
+            self.assertEqual(kind, "STRING")
+            encoding, length = struct.unpack(">HH", body[:4])
+            self.assertEqual((encoding, length), (3, len(body) - 4))  # US-ASCII
+            lines = dict(line.split("=") for line in body[4:].decode("ascii").splitlines())
+            self.assertEqual(lines.pop("coordinates"), "cochlea")
+            self.assertEqual(lines.pop("patient"), "unknown")
+            for name, value in lines.items():
+                self.assertEqual(float(value), row[name], name)
+
+    def test_the_module_of_slicer_reads_the_same(self):
+        spec = importlib.util.spec_from_file_location("PerilymphInsertion", MODULE)
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        curve = module.ForceCurve()
+        for frame in self.frames:
+            row = self.rows[self.row_of(frame)]
+            values = module.readout(frame[module.READOUT][1][4:].decode("ascii"))
+            self.assertEqual(values["force_axial_N"], row["force_axial_N"])
+            columns = transform(frame[module.FORCE][1])
+            force = module.force_of([[column[i] for column in columns] for i in range(3)])
+            self.assertAlmostEqual(force[2], row["force_z_N"], delta=FLOAT * abs(force[2]))
+            curve.add(values)
+        self.assertEqual(curve.peak_N, max(max(self.rows[self.row_of(f)]["force_axial_N"] for f in self.frames), 0.0))
+        names = {device for _, device, _, _ in self.received}
+        for name, *_ in module.PLACED:
+            if name != module.CT:
+                self.assertIn(name, names)
+
+    def test_the_points_name_the_frame_of_their_coordinates(self):
+        for frame in self.frames:
+            owners = {text(entry[-1]) for entry in POINT.iter_unpack(frame["PerilymphContacts"][1])}
+            self.assertEqual(owners, {"cochlea"})
+
+    def test_a_name_that_is_not_sent_is_answered_by_a_status(self):
+        kind, body = next((kind, body) for kind, device, _, body in self.received if device == "Liver")
+        code, _, _, sentence = struct.unpack(f">Hq20s{len(body) - 30}s", body)
+        self.assertEqual((kind, code), ("STATUS", 4))  # not found
+        self.assertIn("sends no IMAGE of this name", text(sentence))
+
+    def test_both_scalae_come_on_connection(self):
+        bodies = [body for kind, device, _, body in self.received if device == "PerilymphVestibuli"]
         self.assertEqual(len(bodies), 1)
-        corners, triangles = polydata(bodies[0])
+        corners, _ = polydata(bodies[0])
+        # It lies above the scala tympani.
+        tympani, _ = polydata(next(body for _, device, _, body in self.received if device == "PerilymphScala"))
+        self.assertGreater(max(z for _, _, z in corners), max(z for _, _, z in tympani))
+        corners, triangles = polydata(next(body for _, device, _, body in self.received if device == "PerilymphScala"))
         self.assertGreater(len(triangles), 1000)
         self.assertEqual(max(max(triangle) for triangle in triangles), len(corners) - 1)
         # a human scala tympani lies within 10 mm of the modiolar axis's foot
@@ -211,7 +267,8 @@ class Navigation(unittest.TestCase):
 
     def test_the_array_is_where_the_frames_around_it_say(self):
         names = [device for _, device, _, _ in self.received]
-        self.assertEqual(names.count("PerilymphArray"), 1)
+        # ten times a second, in three
+        self.assertGreater(names.count("PerilymphArray"), 10)
         place = names.index("PerilymphArray")
         after = next(i for i in range(place, len(names)) if names[i] == "PerilymphTip")
         *_, tip = transform(self.received[after][3])

@@ -10,7 +10,9 @@
 #include <igtlSensorMessage.h>
 #include <igtlTransformMessage.h>
 
+#include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QTest>
 #include <future>
 
@@ -58,6 +60,11 @@ Received receiveAll(int port)
   auto socket = igtl::ClientSocket::New();
   EXPECT_EQ(socket->ConnectToServer("127.0.0.1", port), 0);
   socket->SetReceiveTimeout(WindowRig::patience_ms);
+  // It comes on connection. What is received in the end leaves nothing large behind: the library's
+  // client does not close its socket, which stays until the server's bytes are taken.
+  const auto scala = receive<igtl::PolyDataMessage>(*socket, "PerilymphScala");
+  all.scalaTriangles = scala->GetPolygons()->GetNumberOfCells();
+  receive<igtl::PolyDataMessage>(*socket, "PerilymphVestibuli");
   all.tip = placeOf(*receive<igtl::TransformMessage>(*socket, "PerilymphTip"));
   all.tweezers = placeOf(*receive<igtl::TransformMessage>(*socket, "PerilymphTweezers"));
   const auto contacts = receive<igtl::PointMessage>(*socket, "PerilymphContacts");
@@ -67,12 +74,6 @@ Received receiveAll(int port)
   first->GetPosition(all.firstContact.data());
   const auto force = receive<igtl::SensorMessage>(*socket, "PerilymphForce");
   for (unsigned int i = 0; i < 4; ++i) all.force[i] = force->GetValue(i);
-  auto request = igtl::GetPolyDataMessage::New();
-  request->SetDeviceName("PerilymphScala");
-  request->Pack();
-  socket->Send(request->GetPackPointer(), request->GetPackSize());
-  const auto scala = receive<igtl::PolyDataMessage>(*socket, "PerilymphScala");
-  all.scalaTriangles = scala->GetPolygons()->GetNumberOfCells();
   return all;
 }
 
@@ -112,6 +113,14 @@ protected:
     rig_->type("navigation-port", std::to_string(port).c_str());
     rig_->click("navigation-on");
     return port;
+  }
+  /// For the pictures.
+  void scrollToSection()
+  {
+    auto* const line = rig_->window().findChild<QLabel*>("navigationStatus");
+    for (QWidget* around = line; around != nullptr; around = around->parentWidget())
+      if (auto* const area = qobject_cast<QScrollArea*>(around))
+        area->ensureWidgetVisible(line, 0, 40);
   }
   std::string status() { return rig_->label("navigationStatus").toStdString(); }
   std::vector<InetSocket> sockets() { return inetSocketsOf(::getpid()); }
@@ -241,9 +250,30 @@ TEST_F(NavigationSetting, ShowsThatOtherComputersCanConnectToAnAddressOfTheComma
   EXPECT_TRUE(rig_->button("navigation-on").isChecked());
   EXPECT_EQ(rig_->button("navigation-on").text(), "on, also for other computers");
   EXPECT_THAT(status(), testing::StartsWith("OpenIGTLink on 0.0.0.0:"));
+  EXPECT_THAT(status(), HasSubstr("receives the insertion and the CT, without a password."));
+  EXPECT_EQ(rig_->window().notice().sentence().toStdString(), status());
   EXPECT_TRUE(kept().isEmpty());
   rig_->click("navigation-off");
   EXPECT_THAT(sockets(), IsEmpty());
+}
+
+TEST_F(NavigationSetting, KeepsTheCoordinatesAndSendsNoneOfThePatientWithoutACt)
+{
+  open();
+  EXPECT_TRUE(rig_->button("navigation-cochlea").isChecked());
+  rig_->click("navigation-patient");
+  EXPECT_TRUE(rig_->button("navigation-off").isChecked());
+  const int port = turnOn();
+  EXPECT_TRUE(WindowRig::waitUntil(
+      [&] { return status().find("Nothing is sent: the coordinates") != std::string::npos; }));
+  EXPECT_EQ(rig_->window().notice().sentence().toStdString(), status());
+  rig_.reset();
+  open();
+  rig_->window().navigation().listenAsSet();
+  EXPECT_TRUE(rig_->button("navigation-patient").isChecked());
+  rig_->click("navigation-cochlea");
+  receiveInTheMeantime(port);
+  EXPECT_THAT(status(), testing::Not(HasSubstr("Nothing is sent")));
 }
 
 TEST_F(NavigationSetting, RefusesAPortThatIsNone)
@@ -295,7 +325,17 @@ TEST_F(NavigationSetting, CutsNoTextInBothLanguages)
     rig_->type("navigation-port", std::to_string(taken.number()).c_str());
     rig_->click("navigation-on");
     EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); }));
+    scrollToSection();
     keepPicture(rig_->window(), std::string("navigation-taken-") + language);
+    turnOn();
+    rig_->click("navigation-patient");
+    EXPECT_TRUE(WindowRig::waitUntil(
+        [&] { return rig_->window().navigation().broadcast().isWaitingForCt(); }));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); }));
+    keepPicture(rig_->window(), std::string("navigation-patient-") + language);
+    ASSERT_TRUE(rig_->window().navigation().listen({"0.0.0.0", 0}));
+    EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); }));
+    keepPicture(rig_->window(), std::string("navigation-open-") + language);
     turnOn();
     EXPECT_TRUE(WindowRig::waitUntil([&] { return cutTextsOf(rig_->window()).empty(); }));
     keepPicture(rig_->window(), std::string("navigation-on-") + language);

@@ -97,5 +97,61 @@ TEST_F(Clients, MaySendALongMessageSlowlyButNotTooSlowly)
   EXPECT_THAT(clients_[0].fault(), testing::HasSubstr("unfinished for 5 s"));
 }
 
+TEST_F(Clients, AreEndedWithinAHeader)
+{
+  connect(1);
+  push(0, {0, 1, 'G', 'E', 'T'}, second);
+  clients_[0].checkPatience(5 * second);
+  EXPECT_FALSE(clients_[0].hasEnded());
+  clients_[0].checkPatience(7 * second);
+  EXPECT_TRUE(clients_[0].hasEnded());
+  EXPECT_THAT(clients_[0].fault(), testing::HasSubstr("unfinished for 5 s"));
+}
+
+// A megabyte at a time: those who wait for the next frame wait for no more of other clients.
+TEST_F(Clients, TakeAtMostAMegabyteBeforeTheOthers)
+{
+  connect(1);
+  Answers answers;
+  answers[Item::image] = std::make_shared<const Bytes>(std::size_t{20} << 20);
+  clients_[0].want(Item::image);
+  std::size_t all = 0;
+  std::vector<char> buffer(4 << 20);
+  for (int i = 0; i < 1000 && all < std::size_t{20} << 20; ++i) {
+    clients_[0].send(answers, second);
+    std::size_t taken = 0;
+    ssize_t count;
+    while ((count = ::recv(theirs_[0].get(), buffer.data(), buffer.size(), 0)) > 0)
+      taken += static_cast<std::size_t>(count);
+    ASSERT_GT(taken, 0u);
+    ASSERT_LE(taken, std::size_t{1} << 20);
+    all += taken;
+  }
+  EXPECT_EQ(all, std::size_t{20} << 20);
+  EXPECT_FALSE(clients_[0].isBusy());
+}
+
+TEST_F(Clients, KeepFewAnswersOfOneThatOnlyAsks)
+{
+  connect(1);
+  for (int i = 0; i < 1000; ++i) {
+    std::vector<std::uint8_t> request(58, 0);
+    const std::string type = "GET_NONSENSE";
+    request[1] = 1;
+    std::copy(type.begin(), type.end(), request.begin() + 2);
+    push(0, request, second);
+  }
+  std::size_t bytes = 0;
+  std::vector<char> buffer(1 << 20);
+  for (int i = 0; i < 100; ++i) {
+    clients_[0].send({}, second);
+    const ssize_t count = ::recv(theirs_[0].get(), buffer.data(), buffer.size(), 0);
+    if (count > 0) bytes += static_cast<std::size_t>(count);
+  }
+  // 16 messages of 58 bytes, 30 of a status and a sentence
+  EXPECT_GT(bytes, 16u * 88u);
+  EXPECT_LT(bytes, 16u * 250u);
+}
+
 }  // namespace
 }  // namespace perilymph::broadcast

@@ -151,6 +151,35 @@ TEST(CtImage, MirrorsALeftEar)
   expectInPlace(image, ct);
 }
 
+TEST(CtImage, HasEachVoxelAtItsPlaceInThePatient)
+{
+  PlacedCt ct{volume({40, 50, 60}, obliqueGrid())};
+  ct.axes_PW = Eigen::AngleAxisd(1.1, Vector3d(0.2, -1.0, 0.4).normalized()).toRotationMatrix();
+  ct.origin_P = ct.volume->center_P();
+  const auto packed = packImage(ct, Coordinates::patient);
+  ASSERT_TRUE(packed);
+  const Received image = unpacked(*packed);
+  EXPECT_GT((image.matrix.topLeftCorner<3, 3>().determinant()), 0.0);
+  for (int k = 0; k < image.size[2]; k += 5)
+    for (int j = 0; j < image.size[1]; j += 5)
+      for (int i = 0; i < image.size[0]; i += 5) {
+        const Vector3d ras = image.placeOf(i, j, k);
+        ASSERT_NEAR(image.voxel(i, j, k), -100.0 * ras.x() - 10.0 * ras.y() + ras.z(), 0.6);
+      }
+}
+
+TEST(CtImage, PlacesTheCochleaInRas)
+{
+  PlacedCt ct{volume({3, 3, 3}, Eigen::Matrix4d::Identity())};
+  ct.axes_PW = Eigen::AngleAxisd(0.7, Vector3d(0.5, 1.0, 0.3).normalized()).toRotationMatrix();
+  ct.axes_PW.col(1) *= -1.0;  // a left ear
+  ct.origin_P = Vector3d(-61.0, 20.0, 1400.0);
+  const Vector3d point_W(3e-3, -4e-3, 1e-3);
+  const Vector3d lps = ct.origin_P + 1e3 * (ct.axes_PW * point_W);
+  const Vector3d ras = 1e3 * pointIn(placementOf(ct), point_W);
+  EXPECT_LT((ras - Vector3d(-lps.x(), -lps.y(), lps.z())).norm(), 1e-9);
+}
+
 TEST(CtImage, HoldsTheVoxelsWithinTwentyMillimeters)
 {
   Eigen::Matrix4d lps_PI = Eigen::Matrix4d::Identity();

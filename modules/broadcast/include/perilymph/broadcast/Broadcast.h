@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "perilymph/anatomy/Surface.h"
@@ -37,11 +38,19 @@ struct BroadcastFigures {
   std::uint64_t skipped = 0;   ///< Frames that a client was too slow for.
 };
 
-/// Sends frames to at most eight clients, from a thread of its own. Only sends: requests for the
-/// surfaces of scala and array (GET_POLYDATA), for the CT (GET_IMAGE) and for the types sent
-/// (GET_CAPABIL) are answered, everything else that a client sends is dropped. No client delays the publisher or another client:
-/// each has one message at most on its way, and one that takes nothing for 5 s is closed. A ninth
-/// client takes the place of the one that has sent no message for longest, if for 5 s or more.
+/// The walls of a cochlea, in W [m]. Empty ones are not sent.
+struct Walls {
+  anatomy::Surface tympani, vestibuli;
+};
+Walls wallsOf(const anatomy::ScalaTympani& scala);
+
+/// Sends frames to at most eight clients, from a thread of its own, and the array's surface ten times
+/// a second. The walls, the CT and the transform to the patient are sent on connection, when they
+/// change, and on request. Only sends: requests (GET_ and the type) are answered, by a STATUS if there
+/// is no such thing; everything else that a client sends is dropped. No client delays the publisher or
+/// another client: each has one message at most on its way, and one that takes nothing for 5 s is
+/// closed. A ninth client takes the place of the one that has sent no message for longest, if for 5 s
+/// or more.
 class Broadcast {
 public:
   /// Receives one sentence for each client that is closed by its own fault, by the server's thread,
@@ -59,12 +68,18 @@ public:
 
   /// Sends a frame to all clients, as soon as they take it. One thread, never the haptic one.
   void publish(const BroadcastFrame& frame) noexcept;
-  /// The surface of the scala that is sent on request, in W [m]. The same thread. That of the array
-  /// is made from the newest frame at the time of the request.
-  void show(const anatomy::Surface& surface);
-  /// The CT that is sent on request; null ends that. The same thread. A client that receives it
-  /// misses the frames of that time.
+  /// The walls that are sent from now on, in RAS if a placement is given. The same thread. The array's
+  /// surface is made from the newest frame.
+  void show(const Walls& walls, const std::optional<Placement>& patient = std::nullopt);
+  /// The transform from the frame that is sent to the patient's RAS; empty ends that. The same
+  /// thread.
+  void show(const std::optional<Placement>& toPatient);
+  /// The CT that is sent; null ends that. The same thread. A client that receives it misses the
+  /// frames of that time.
   void show(PackedImage image);
+  /// Sends that nothing of an insertion is known, and then nothing until the next frame. The same
+  /// thread.
+  void clear();
 
   /// Any thread.
   BroadcastFigures figures() const noexcept;

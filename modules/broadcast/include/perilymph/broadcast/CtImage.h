@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "perilymph/broadcast/BroadcastFrame.h"
 #include "perilymph/ct/CtVolume.h"
 #include "perilymph/foundation/Result.h"
 
@@ -23,6 +24,9 @@ struct PlacedCt {
   bool operator==(const PlacedCt&) const = default;
 };
 
+/// W in the patient's frame as it is sent: RAS in place of LPS.
+Placement placementOf(const PlacedCt& ct);
+
 /// An IMAGE message, ready to be sent.
 using PackedImage = std::shared_ptr<const std::vector<std::uint8_t>>;
 
@@ -32,9 +36,9 @@ inline constexpr double imageRadius_mm = 20.0;
 /// 64 MB.
 inline constexpr std::size_t maxImageVoxels = 32u << 20;
 
-/// The CT around the cochlea, as an image in W. A left ear is mirrored, as its array is. The message
+/// The CT around the cochlea, as an image. In W a left ear is mirrored, as its array is. The message
 /// holds intensities and their place, nothing else of the series. Takes up to a second, and for
 /// that time three times the memory of the message; not on the haptic thread.
-Result<PackedImage> packImage(const PlacedCt& ct);
+Result<PackedImage> packImage(const PlacedCt& ct, Coordinates coordinates = Coordinates::cochlea);
 
 }  // namespace perilymph::broadcast

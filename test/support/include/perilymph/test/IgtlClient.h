@@ -25,7 +25,8 @@ typename Message::Pointer bodyOf(igtl::ClientSocket& socket, igtl::MessageHeader
   return message;
 }
 
-/// Receives the next message of a device; others are skipped. Fails the test if none comes.
+/// Receives the next message of a device; others are skipped, such as a STATUS that the device has
+/// nothing yet. Fails the test if none comes.
 template <class Message>
 typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string& name)
 {
@@ -38,7 +39,8 @@ typename Message::Pointer receive(igtl::ClientSocket& socket, const std::string&
       break;
     }
     header->Unpack();
-    if (header->GetDeviceName() != name) {
+    const bool isStatus = header->GetDeviceType() == std::string("STATUS");
+    if (header->GetDeviceName() != name || isStatus) {
       socket.Skip(header->GetBodySizeToRead());
       continue;
     }

@@ -13,7 +13,8 @@ set(share "${CMAKE_INSTALL_DATADIR}")
 install(DIRECTORY resources DESTINATION "${share}/perilymph" COMPONENT program
   PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE PATTERN examples EXCLUDE)
 install(DIRECTORY plugins DESTINATION "${share}/perilymph" COMPONENT program FILES_MATCHING PATTERN "*.toml"
-  PATTERN example EXCLUDE)
+  PATTERN example EXCLUDE PATTERN devices/common EXCLUDE PATTERN novint EXCLUDE PATTERN haply EXCLUDE PATTERN 3dsystems EXCLUDE
+  PATTERN force-dimension EXCLUDE)
 # udev rule: the user at the machine may open the haptic devices known by number.
 install(FILES packaging/udev/70-perilymph.rules DESTINATION lib/udev/rules.d COMPONENT program)
 
@@ -68,7 +69,8 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/packaging/PerilymphConfigV
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
   "${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake" DESTINATION "${sdk}" COMPONENT sdk)
-install(DIRECTORY plugins/devices/example packaging/sdk/template
+install(DIRECTORY plugins/devices/example plugins/devices/common plugins/devices/novint plugins/devices/haply
+  plugins/devices/3dsystems plugins/devices/force-dimension packaging/sdk/template
   DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
 compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-dev" sdk)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" COMPONENT program)

@@ -89,6 +89,7 @@ public:
   /// Before the device's thread starts.
   void reset() noexcept
   {
+    samples_.put({{}, sequence_});  // no button of an earlier exchange
     commands_.put({{}, 0, number_});
     sent_ = number_;
     isPushing_ = false;
@@ -102,7 +103,8 @@ public:
     out.sequence = newest.sequence;
     std::copy(newest.sample.position.begin(), newest.sample.position.end(), out.position_D_m);
     std::copy(newest.sample.rotation.begin(), newest.sample.rotation.end(), out.rotation_D);
-    out.is_valid = newest.sequence > 0 && !isLost_ ? 1 : 0;
+    // Without a fresh one yet it is valid, and old: a sample that is not valid is a lost device.
+    out.is_valid = isLost_ ? 0 : 1;
     return 0;
   }
   /// Returns at once, but after the first zero, which it sees sent if that takes no longer than

@@ -5,6 +5,9 @@
 # Makes the device plug-in <name>.so if the header's folder and the library were found. If not, an own
 # build ends and says what is missing; within the project the plug-in is left out.
 find_package(Threads REQUIRED)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE RelWithDebInfo)
+endif()
 function(laboratory_plugin name package include library)
   if(NOT ${include} OR (library AND NOT ${library}))
     set(kind FATAL_ERROR)

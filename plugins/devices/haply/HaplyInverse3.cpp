@@ -23,7 +23,10 @@ using namespace std::chrono_literals;
 constexpr double maxForce = 3.0;  // [N]
 // In which Haply's own tutorials keep the cursor.
 constexpr double workspaceRadius = 0.10;  // [m]
-constexpr double period = 1e-3;           // [s]
+// Read half as often as it is exchanged: the program takes samples for old after three periods, and a
+// service without real-time priority has gaps of 3 ms (chosen).
+constexpr double period = 2e-3;          // [s]
+constexpr double exchangePeriod = 1e-3;  // [s]
 /// Assumed where the service does not answer when the plug-in is loaded (chosen) [s].
 constexpr double assumedRoundTrip = 2e-3;
 constexpr auto replyPatience = 20ms, openingPatience = 1000ms;
@@ -129,8 +132,8 @@ public:
     traits.max_force_N = maxForce;
     traits.nominal_period_s = period;
     traits.workspace_radius_m = workspaceRadius;
-    // A force waits half a period for the next exchange.
-    traits.transport_delay_s = 0.5 * period + measuredRoundTrip();
+    // A force waits half an exchange for the next one.
+    traits.transport_delay_s = 0.5 * exchangePeriod + measuredRoundTrip();
     traits.sensed_translations = 3;
     traits.sensed_rotations = 3;
     traits.actuated_translations = 3;

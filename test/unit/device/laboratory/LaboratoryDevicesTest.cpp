@@ -55,6 +55,16 @@ TEST_P(ALaboratoryDevice, ThatIsAbsentIsRefusedWithOneSentence)
   EXPECT_TRUE(isOneSentence(sentence)) << sentence;
 }
 
+TEST_P(ALaboratoryDevice, IsValidFromTheFirstTick)
+{
+  // A sample that is not valid ends an insertion with a fault.
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_NO_FATAL_FAILURE(open());
+    EXPECT_EQ(device_->read().isValid, 1u);
+    device_->close();
+  }
+}
+
 TEST_P(ALaboratoryDevice, IsWhereTheHandHoldsIt)
 {
   ASSERT_NO_FATAL_FAILURE(open());
@@ -65,7 +75,7 @@ TEST_P(ALaboratoryDevice, IsWhereTheHandHoldsIt)
     const auto isThere = [&] {
       for (std::size_t i = 0; i < 3; ++i)
         if (!(std::fabs(newest_.position_D[i] - place[i]) <= GetParam().quantum)) return false;
-      return newest_.isValid != 0;
+      return newest_.isValid != 0 && newest_.sequence > 0;
     };
     EXPECT_TRUE(tickUntil({}, isThere))
         << newest_.position_D[0] << ' ' << newest_.position_D[1] << ' ' << newest_.position_D[2];
@@ -105,7 +115,7 @@ TEST_P(ALaboratoryDevice, SeesItsButtonPressedAndReleased)
   ASSERT_NO_FATAL_FAILURE(open());
   for (const unsigned pressed : {1u, 0u, 1u, 0u}) {
     state().buttons = pressed;
-    EXPECT_TRUE(tickUntil({}, [&] { return newest_.isValid != 0 && newest_.buttons == pressed; }));
+    EXPECT_TRUE(tickUntil({}, [&] { return newest_.sequence > 0 && newest_.buttons == pressed; }));
   }
 }
 

@@ -53,7 +53,7 @@ TEST_F(AFalcon, IsGivenTheFirmwareOfTheUserAndAnswers)
   ASSERT_NO_FATAL_FAILURE(open());
   EXPECT_EQ(state().firmwareBytes, 1000u);
   EXPECT_EQ(state().firmwareSum, sum);
-  EXPECT_TRUE(tickUntil({}, [this] { return newest_.isValid != 0; }));
+  EXPECT_TRUE(tickUntil({}, [this] { return newest_.sequence > 0; }));
 }
 
 TEST_F(AFalcon, WhoseFirmwareCannotBeReadSaysWhich)
@@ -70,10 +70,10 @@ TEST_F(AFalcon, HasNeitherPositionNorForceBeforeItIsHomed)
   state().isReady = 0;
   ASSERT_NO_FATAL_FAILURE(open());
   tickFor(pushed, milliseconds(300));
-  EXPECT_EQ(newest_.isValid, 0u);
+  EXPECT_EQ(newest_.sequence, 0u);
   EXPECT_EQ(peer_->force(), 0.0);
   state().isReady = 1;  // the grip was pulled out and pushed in
-  EXPECT_TRUE(tickUntil({}, [this] { return newest_.isValid != 0; }));
+  EXPECT_TRUE(tickUntil({}, [this] { return newest_.sequence > 0; }));
   EXPECT_NEAR(newest_.position_D[2], 0.0, 1e-4);
 }
 

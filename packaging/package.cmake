@@ -69,13 +69,15 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/packaging/PerilymphConfigV
   COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
   "${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake" DESTINATION "${sdk}" COMPONENT sdk)
-install(DIRECTORY plugins/devices/example plugins/devices/common plugins/devices/novint plugins/devices/haply
-  plugins/devices/3dsystems plugins/devices/force-dimension packaging/sdk/template
+install(DIRECTORY plugins/devices/example packaging/sdk/template
   DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
 compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-dev" sdk)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" COMPONENT program)
 install(FILES packaging/debian/lintian-overrides RENAME perilymph DESTINATION "${share}/lintian/overrides" COMPONENT program)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph-dev" COMPONENT sdk)
+# Devices of laboratories, built by the user against the maker's library.
+install(DIRECTORY plugins/devices/common plugins/devices/novint plugins/devices/haply plugins/devices/3dsystems
+  plugins/devices/force-dimension DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
 
 # The Python package; app/python installs its module.
 if(TARGET perilymph_python)

@@ -104,7 +104,8 @@ private:
 };
 
 /// Time from a message to the state that answers it: the median of some exchanges [s]. As assumed if
-/// the service or the device is not there.
+/// the service or the device is not there. Asks only, and neither claims nor moves the device, which
+/// another program may have open.
 double measuredRoundTrip()
 {
   constexpr std::size_t exchanges = 51;

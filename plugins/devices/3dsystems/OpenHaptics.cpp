@@ -16,9 +16,12 @@ namespace {
 using plugin::Sample;
 using plugin::Vector;
 
-// Of the Touch: 3.3 N, 160 x 120 x 120 mm (3D Systems' data sheet as CHAI3D and others quote it; the
-// sheet was not consulted). A stronger device renders no more, a weaker one what its driver states.
-constexpr double maxForce = 3.3;          // [N]
+// CHAI3D states 3.3 N, 400 N/m, 4 N.s/m and a radius of 75 mm for the Touch (CPhantomDevices.cpp). A
+// stronger device renders no more, a weaker one what its driver states.
+constexpr double maxForce = 3.3;      // [N]
+constexpr double maxStiffness = 400;  // [N/m]
+constexpr double maxDamping = 4;      // [N.s/m]
+// Half of the height of 120 mm that the PHANToM Omni's data sheet is quoted with (chosen).
 constexpr double workspaceRadius = 0.06;  // [m]
 constexpr double period = 1e-3;           // of the driver's servo loop [s]
 constexpr double metersPerUnit = 1e-3;    // the HD API counts in millimeters
@@ -51,6 +54,8 @@ public:
     traits.max_force_N = maxForce;
     traits.nominal_period_s = period;
     traits.workspace_radius_m = workspaceRadius;
+    traits.max_stiffness_N_m = maxStiffness;
+    traits.max_damping_N_s_m = maxDamping;
     // A force waits half a period for the servo loop, whose next position shows its effect (estimated).
     traits.transport_delay_s = 1.5 * period;
     traits.sensed_translations = 3;
@@ -90,12 +95,15 @@ public:
     if (hdCheckCalibration() != HD_CALIBRATION_OK) {
       close();
       return "The device of 3D Systems is not calibrated: put its stylet into the inkwell, "
-             "calibrate it "
-             "with the driver's setup, and open it again.";
+             "calibrate it with the driver's setup, and open it again.";
     }
     callback_ =
         hdScheduleAsynchronous(&OpenHapticsDevice::onServo, this, HD_MAX_SCHEDULER_PRIORITY);
-    return {};
+    error = hdGetError();
+    if (!HD_DEVICE_ERROR(error)) return {};
+    const std::string why = hdGetErrorString(error.errorCode);
+    close();
+    return "The device of 3D Systems cannot be read: " + why + ". Switch it off and on.";
   }
 
   void close() noexcept

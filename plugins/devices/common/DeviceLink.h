@@ -55,6 +55,7 @@ struct Sample {
   std::uint32_t buttons = 0;                     ///< Bit 0: the dead-man's button.
 };
 
+/// The exchange of forces and samples between the two threads; each calls the functions under its name.
 class DeviceLink {
 public:
   /// @param maxForce  Published limit of the device [N].

@@ -16,9 +16,11 @@ using plugin::Answer;
 using plugin::Sample;
 using plugin::Vector;
 
-// Of the omega.3: 12 N, a disk of 160 mm and 110 mm height (the maker's data sheet as CHAI3D and others
-// quote it; the sheet was not consulted). Stronger devices render no more.
+// CHAI3D states 12 N, 5000 N/m, 30 N.s/m and a radius of 75 mm for the omega.3 (CDeltaDevices.cpp).
+// Stronger devices render no more. The radius is a smaller choice: the omega is flatter than wide.
 constexpr double maxForce = 12.0;          // [N]
+constexpr double maxStiffness = 5000;      // [N/m]
+constexpr double maxDamping = 30;          // [N.s/m]
 constexpr double workspaceRadius = 0.055;  // [m]
 constexpr double period = 1e-3;            // [s]
 
@@ -33,6 +35,8 @@ public:
     traits.max_force_N = maxForce;
     traits.nominal_period_s = period;
     traits.workspace_radius_m = workspaceRadius;
+    traits.max_stiffness_N_m = maxStiffness;
+    traits.max_damping_N_s_m = maxDamping;
     // A force waits half a period for the next exchange, whose position is older than its effect by
     // another one (estimated).
     traits.transport_delay_s = 1.5 * period;

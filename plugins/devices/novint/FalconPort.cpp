@@ -129,6 +129,9 @@ bool FalconPort::enterLoader() noexcept
 bool FalconPort::send(const Packet& packet) noexcept
 {
   constexpr int size = 16;
+  // Answers that come too late would from now on be taken for those of later packets.
+  if (context_ && isLate_ && ftdi_tcioflush(context_.get()) != 0) return false;
+  isLate_ = false;
   return context_ && ftdi_write_data(context_.get(), packet.data(), size) == size;
 }
 
@@ -145,7 +148,10 @@ Reply FalconPort::receive(Packet& packet) noexcept
     const auto begin = std::find(packet.begin(), packet.begin() + have, '<');
     std::copy(begin, packet.begin() + have, packet.begin());
     have -= static_cast<int>(begin - packet.begin());
-    if (have < 16 && plugin::now() >= end) return Reply::late;
+    if (have < 16 && plugin::now() >= end) {
+      isLate_ = true;
+      return Reply::late;
+    }
   }
   return Reply::complete;
 }

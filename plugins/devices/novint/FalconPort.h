@@ -41,6 +41,7 @@ private:
   int readAtMost(std::uint8_t* bytes, int count, std::int64_t patience) noexcept;
 
   std::unique_ptr<ftdi_context, CloseFtdi> context_;
+  bool isLate_ = false;  // an answer is still under way
 };
 
 }  // namespace perilymph::novint

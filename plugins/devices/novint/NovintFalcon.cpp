@@ -17,8 +17,10 @@ namespace {
 using plugin::Answer;
 using plugin::Sample;
 
-// Of the Falcon in CHAI3D 3.2 (CFalconDevice.cpp): 8 N, 40 mm. Novint advertised "over 2 pounds", 8.9 N.
+// As CHAI3D states (CFalconDevice.cpp).
 constexpr double maxForce = 8.0;          // [N]
+constexpr double maxStiffness = 3000;     // [N/m]
+constexpr double maxDamping = 20;         // [N.s/m]
 constexpr double workspaceRadius = 0.04;  // [m]
 // The middle of the depths that the thighs reach from -20 to 70 degrees, 74 to 173 mm.
 constexpr double centerZ = 0.125;  // [m]
@@ -54,6 +56,8 @@ public:
     // An exchange takes one to two milliseconds by libftdi (chosen, not measured on a device).
     traits.nominal_period_s = 2e-3;
     traits.workspace_radius_m = workspaceRadius;
+    traits.max_stiffness_N_m = maxStiffness;
+    traits.max_damping_N_s_m = maxDamping;
     // One count turns a thigh by 0.036 degrees, which moves the grip by about 60 mm times that.
     traits.position_quantum_m = 4e-5;
     // A force waits for half an exchange, and its effect for a whole one (estimated).

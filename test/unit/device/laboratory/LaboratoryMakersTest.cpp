@@ -77,6 +77,19 @@ TEST_F(AFalcon, HasNeitherPositionNorForceBeforeItIsHomed)
   EXPECT_NEAR(newest_.position_D[2], 0.0, 1e-4);
 }
 
+TEST_F(AFalcon, LeavesNoAnswersBehindThatCameTooLate)
+{
+  // Each would delay all later positions by an exchange.
+  ASSERT_NO_FATAL_FAILURE(push());
+  state().fault = PeerState::silent;
+  tickFor(pushed, milliseconds(300));
+  EXPECT_GT(state().unread, 0u);
+  state().fault = PeerState::none;
+  EXPECT_TRUE(tickUntil(pushed, [this] { return peer_->force() > 0.4; }));
+  tickFor(pushed, milliseconds(100));
+  EXPECT_EQ(state().unread, 0u);
+}
+
 TEST_F(AFalcon, IsCorrectedByItsMeasuredForce)
 {
   ::setenv("PERILYMPH_FALCON_FORCE_SCALE", "2", 1);

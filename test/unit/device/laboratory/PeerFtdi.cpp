@@ -46,8 +46,7 @@ struct Falcon {
   }
   void answer(const std::vector<std::uint8_t>& bytes)
   {
-    if (state->fault != PeerState::silent)
-      answers.insert(answers.end(), bytes.begin(), bytes.end());
+    answers.insert(answers.end(), bytes.begin(), bytes.end());
   }
 
   void takePacket(const novint::Packet& packet)
@@ -172,10 +171,13 @@ int ftdi_read_data(ftdi_context*, unsigned char* bytes, int count)
 {
   if (falcon->isGone()) return -666;
   int read = 0;
-  for (; read < count && !falcon->answers.empty(); ++read) {
+  // While it is silent, answers wait in the converter.
+  const bool isSilent = falcon->state->fault == PeerState::silent;
+  for (; !isSilent && read < count && !falcon->answers.empty(); ++read) {
     bytes[read] = falcon->answers.front();
     falcon->answers.pop_front();
   }
+  falcon->state->unread = falcon->answers.size();
   if (read == 0) test::elapse(1'000'000);  // the converter's own packet, once per millisecond
   return read;
 }

@@ -58,6 +58,7 @@ struct PeerState {
   std::atomic<std::uint64_t> opened{0}, closed{0}, exchanges{0};
   std::array<std::atomic<double>, 3> force{};  ///< On the hand [N].
   std::atomic<std::uint64_t> firmwareBytes{0}, firmwareSum{0};
+  std::atomic<std::uint64_t> unread{0};  ///< Falcon: bytes of answers that wait after a read.
 
   struct Entry {
     std::int64_t time;  ///< [ns]

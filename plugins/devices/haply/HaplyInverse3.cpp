@@ -68,8 +68,7 @@ public:
       return "The Haply Inverse Service finds no Inverse3. Check its cable and power.";
     if (!inventory->hasGrip)
       return "The Haply Inverse Service finds no VerseGrip, whose button is needed to grasp. "
-             "Connect "
-             "or pair it.";
+             "Connect or pair it.";
     id_ = inventory->inverse3;
     return {};
   }

@@ -77,8 +77,7 @@ std::string FalconPort::load(const std::string& firmware)
 {
   if (firmware.empty())
     return "The Novint Falcon has no firmware yet. Set PERILYMPH_FALCON_FIRMWARE to the path of "
-           "your "
-           "copy, which came with the device's drivers.";
+           "your copy, which came with the device's drivers.";
   std::ifstream file(firmware, std::ios::binary);
   const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file.good() && bytes.empty())

@@ -13,7 +13,8 @@ set(share "${CMAKE_INSTALL_DATADIR}")
 install(DIRECTORY resources DESTINATION "${share}/perilymph" COMPONENT program
   PATTERN "*.md" EXCLUDE PATTERN OFL.txt EXCLUDE PATTERN pictures EXCLUDE PATTERN icons EXCLUDE PATTERN guide EXCLUDE PATTERN examples EXCLUDE)
 install(DIRECTORY plugins DESTINATION "${share}/perilymph" COMPONENT program FILES_MATCHING PATTERN "*.toml"
-  PATTERN example EXCLUDE)
+  PATTERN example EXCLUDE PATTERN devices/common EXCLUDE PATTERN novint EXCLUDE PATTERN haply EXCLUDE PATTERN 3dsystems EXCLUDE
+  PATTERN force-dimension EXCLUDE)
 # udev rule: the user at the machine may open the haptic devices known by number.
 install(FILES packaging/udev/70-perilymph.rules DESTINATION lib/udev/rules.d COMPONENT program)
 
@@ -75,6 +76,9 @@ compressed(packaging/debian/changelog changelog "${share}/doc/perilymph-dev" sdk
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph" COMPONENT program)
 install(FILES packaging/debian/lintian-overrides RENAME perilymph DESTINATION "${share}/lintian/overrides" COMPONENT program)
 install(FILES packaging/debian/copyright DESTINATION "${share}/doc/perilymph-dev" COMPONENT sdk)
+# Devices of laboratories, built by the user against the maker's library.
+install(DIRECTORY plugins/devices/common plugins/devices/novint plugins/devices/haply plugins/devices/3dsystems
+  plugins/devices/force-dimension DESTINATION "${share}/doc/perilymph-dev/examples" COMPONENT sdk)
 
 # The Python package; app/python installs its module.
 if(TARGET perilymph_python)

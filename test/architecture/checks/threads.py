@@ -27,9 +27,14 @@ SHARED_PAGE = "modules/realtime/README.md"
 USED = re.compile(r"\brealtime::(\w+)\s*<")
 
 
-def code(root):
-    """Pairs of file and its text without comments and string literals, for all that the programs are made of."""
-    for file in sources.files(root, "modules", "app", "plugins", suffixes=sources.CODE):
+# A plug-in runs in a process of its own and sees one header: its threads have no role, and share nothing with the
+# program's.
+PROGRAM = ("modules", "app")
+
+
+def code(root, *folders):
+    """Pairs of file and its text without comments and string literals; in all folders with code if none is named."""
+    for file in sources.files(root, *(folders or (*PROGRAM, "plugins")), suffixes=sources.CODE):
         text = sources.without_comments(sources.read(file))
         yield file, re.sub(r"^[ \t]*#[ \t]*include[^\n]*", "", text, flags=re.M)
 
@@ -63,7 +68,7 @@ def check_threads(root, wrong):
             wrong.append(f"{PAGE} tells a thread `{role}`, which is no role of {ROLES}.")
     declared = {}  # role -> places
     beginning = {}  # file without its ending -> places
-    for file, text in code(root):
+    for file, text in code(root, *PROGRAM):
         place = file.relative_to(root).as_posix()
         here = DECLARED.findall(text)
         for role in here:
@@ -122,7 +127,7 @@ def check_shared(root, wrong):
         return
     told = {sources.quoted(row[0])[0]: row[1] for row in table}
     found = {}  # name of the file -> what it declares
-    for file, text in code(root):
+    for file, text in code(root, *PROGRAM):
         place = file.relative_to(root).as_posix()
         if not place.startswith("modules/realtime/"):
             kinds = {("atomic" if "atomic" in each else "once flag" if "once" in each else

@@ -65,6 +65,7 @@ void PluginRun::run() noexcept
   Force old;
   channel_.forces.take(old, seen_);
   write({});
+  read();  // before a force is answered: a sample that is not valid would be a lost device
   realtime::Pacer pacer(Duration::fromSi(static_cast<double>(period_) * 1e-9));
   pacer.start(realtime::monotonicNanoseconds());
   while (channel_.isClosing == 0 && !isAlone_) {

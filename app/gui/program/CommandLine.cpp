@@ -84,8 +84,8 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
                "perilymph");
   app.set_version_flag("--version", "perilymph " + buildId());
 
-  std::string file, record, plugin, device, screenshot, study, plan, report, ct, igtl, bone;
-  std::string file, record, plugin, screenshot, study, plan, report, ct, igtl, igtlFrame, bone;
+  std::string file, record, plugin, device, screenshot, study, plan, report, ct, igtl, igtlFrame,
+      bone;
   app.add_option("--scenario", options.scenario,
                  "Scenario: shipped name or TOML file (default: start page)")
       ->type_name("FILE|NAME");

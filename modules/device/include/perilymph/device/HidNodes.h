@@ -31,9 +31,9 @@ struct HidNode {
   HidIdentity identity;
   std::string name;    ///< Name reported by the device.
   std::string serial;  ///< Empty if it has none.
-  std::string
-      place;  ///< Where it is plugged in, as the kernel states it: "usb-0000:00:14.0-2/input0";
-              ///< equal devices have different ones. Empty if it is unknown.
+  /// Where it is plugged in, as the kernel states it: "usb-0000:00:14.0-2/input0". Equal devices have
+  /// different ones. Empty if it is unknown.
+  std::string place;
   std::vector<std::uint8_t> descriptor;  ///< Empty if it cannot be read.
   NodeAccess access = NodeAccess::absent;
 };

@@ -78,10 +78,10 @@ typedef struct PerilymphDeviceWrenchV1 {
  *
  * A plug-in runs in a process of its own, where one thread calls all functions. create, traits and
  * destroy are also called to list the plug-in, while another process may have the device open: they
- * must not open or move it. create, destroy, traits, open and close may take seconds. While the device is open, read is called once per
- * nominal_period_s and write after each time step of the program: they must not block, lock,
- * allocate or log. Values that are not finite are no sample. write is called with zero before close,
- * and when no force came for 50 ms or three periods.
+ * must not open or move it. create, destroy, traits, open and close may take seconds. While the
+ * device is open, read is called once per nominal_period_s and write after each time step of the
+ * program: they must not block, lock, allocate or log. Values that are not finite are no sample.
+ * write is called with zero before close, and when no force came for 50 ms or three periods.
  *
  * If read or write does not return within 50 ms, the process ends. After a read that hangs, write is
  * called once more, with zero, and then close, from another thread; after a crash outside write and

@@ -100,7 +100,7 @@ std::optional<TickBound> measureTickBound(const mechanics::InsertionModel& model
       const std::int64_t began = realtime::threadNanoseconds();
       mechanics::advance(longest, state, drive);
       const double took = 1e-9 * static_cast<double>(realtime::threadNanoseconds() - began);
-      if (!state.readings.isFinite) return std::nullopt;
+      if (!state.readings.isFinite || !(took > 0.0)) return std::nullopt;
       ticks.push_back({took, state.readings.evaluations, state.readings.factorizations});
     }
   }
@@ -133,8 +133,7 @@ Result<void> checkTickBound(const mechanics::InsertionModel& model)
   const int nodes = static_cast<int>(model.nodes * model.timeStep / bound->time) / 10 * 10;
   return Error{
       "With %1 nodes a time step can take %2 ms on this machine, longer than its period of %3 ms, "
-      "so "
-      "that the force at the device could be late. Set nodes to at most %4.",
+      "so that the force at the device could be late. Set nodes to at most %4.",
       model.nodes, milliseconds(bound->time), milliseconds(model.timeStep), std::max(nodes, 8)};
 }
 

@@ -21,9 +21,10 @@ struct TickBound {
 
 /// Measures ticks that are solved to no tolerance, deep in the cochlea under a hand that jerks at 50
 /// mm/s, with factors of the stiffness that are kept and with factors that are renewed in every
-/// iteration. Least squares of the processor time of their faster half, which other work on the machine disturbs least, give the time of an evaluation and of a
-/// factorization; a tick that uses the bounds of both takes the result, and a tenth is added for the loop
-/// around it. Takes 0.05 to 0.1 s with 100 nodes. Empty for a point set, whose work does not vary.
+/// iteration. Least squares of the processor time of their faster half, which other work on the machine
+/// disturbs least, give the time of an evaluation and of a factorization; a tick that uses the bounds of
+/// both takes the result, and a tenth is added for the loop around it. Takes 25 to 40 ms with 100 nodes.
+/// Empty for a point set, whose work does not vary.
 std::optional<TickBound> measureTickBound(const mechanics::InsertionModel& model);
 
 /// Refuses a model of which a tick can take longer than its time step, with the number of nodes that

@@ -173,6 +173,8 @@ void addReplay(CLI::App& app, FileOptions& files, ReplayOptions& options)
   command.add_flag("--verify", options.verifies,
                    "Replay the recording and verify that every sample is identical");
   files.writes(command.add_option("--csv", options.csv, "Write time series (CSV)"));
+  files.writes(command.add_option("--sqlite", options.sqlite,
+                                  "Write time series as the table tick of an SQLite file"));
   files.writes(command.add_option("--contacts", options.contacts,
                                   "Write the contacts at the maximum depth: angle, frequencies, "
                                   "default filter, mismatch (CSV)"));

@@ -43,6 +43,7 @@ struct ReplayOptions {
   std::string file;
   bool verifies = false;
   std::string csv;
+  std::string sqlite;
   std::string contacts;
   std::string thumbnail;
   int size_px = 256;  ///< Side of the thumbnail.

@@ -14,6 +14,7 @@
 #include "perilymph/session/Playback.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/session/Replay.h"
+#include "perilymph/session/TickTable.h"
 #if PERILYMPH_HAS_TOOLKIT
 #include "perilymph/charts/FigurePicture.h"
 #endif
@@ -155,6 +156,9 @@ Result<void> replay(const ReplayOptions& options)
   }
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();
+  if (!options.sqlite.empty())
+    if (const auto done = session::writeTickTable(*recorded, options.sqlite); !done)
+      return done.error();
   if (!options.contacts.empty())
     if (const auto done = writeContacts(*recorded, options.file, options.contacts); !done)
       return done.error();

@@ -4782,6 +4782,18 @@
         <source>its axes %1 do not match its counts: %2 axes that it pushes along and %3 that it turns about.</source>
         <translation>seine Achsen %1 passen nicht zu den angegebenen Anzahlen: %2 Achsen mit Kraft und %3 mit Drehmoment.</translation>
     </message>
+    <message>
+        <source>With %1 nodes a time step can take %2 ms on this machine, longer than its period of %3 ms, so that the force at the device could be late. Set nodes to at most %4.</source>
+        <translation>Mit %1 Knoten kann ein Zeitschritt auf diesem Rechner %2 ms dauern, länger als seine Periode von %3 ms, sodass die Kraft am Gerät zu spät kommen könnte. Setzen Sie „nodes“ auf höchstens %4.</translation>
+    </message>
+    <message>
+        <source>Of the %1 MB of memory in which the haptic loop works %2 MB are locked in RAM; the system allows %3 MB. If ticks are late while memory is short, add the line &apos;@audio - memlock unlimited&apos; to /etc/security/limits.d/audio.conf, join the group audio and log in again.</source>
+        <translation>Von den %1 MB Speicher, in denen die haptische Schleife arbeitet, sind %2 MB im RAM gesperrt; das System erlaubt %3 MB. Wenn Zeitschritte bei knappem Speicher zu spät kommen, fügen Sie die Zeile „@audio - memlock unlimited“ in /etc/security/limits.d/audio.conf ein, treten Sie der Gruppe audio bei und melden Sie sich neu an.</translation>
+    </message>
+    <message>
+        <source>the block of tick %1 cannot be read</source>
+        <translation>der Block des Takts %1 kann nicht gelesen werden</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

@@ -262,8 +262,9 @@ def main(cli):
         keep("surface_file", f"{kind}.vtp", b"V" + vtp(kind))
     text, closed, open_log = sessions(cli)
     keep("scenario", "as-run.toml", text)
-    keep("session_file", "closed.insertion", closed)
-    keep("session_file", "open.insertion", open_log)
+    # closed.insertion and open.insertion are of release 0.2, in format 2
+    keep("session_file", "closed-blocks.insertion", closed)
+    keep("session_file", "open-blocks.insertion", open_log)
     with tempfile.TemporaryDirectory() as folder:
         study, patient = Path(folder) / "small.toml", Path(folder) / "patient.toml"
         study.write_text(SMALL_STUDY)

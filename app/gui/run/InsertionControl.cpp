@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/run/InsertionControl.h"
 
+#include <spdlog/spdlog.h>
 #include <algorithm>
+
 #include <cmath>
 #include <utility>
 
@@ -144,6 +146,7 @@ Result<void> InsertionControl::begin()
   if (!isRunning_) {
     const Result<void> started = insertion_->start();
     if (!started) return started;
+    if (const Sentence note = insertion_->memoryNote(); !note.empty()) spdlog::info("{}", note);
     isRunning_ = true;
   }
   wish_ = PendingRequest::insert;

@@ -122,7 +122,7 @@ Result<void> Database::Content::check(const FileKind& kind)
       database.get(), "SELECT type, sql FROM sqlite_master ORDER BY rowid", -1, &prepared, nullptr);
   const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> rows(prepared, sqlite3_finalize);
   if (outcome != SQLITE_OK) return error(std::string(sqlite3_errmsg(database.get())));
-  std::vector<std::string> missing = kind.tables;
+  std::vector<std::string> missing = version < kind.tablesSince ? kind.formerTables : kind.tables;
   int step = sqlite3_step(prepared);
   for (; step == SQLITE_ROW; step = sqlite3_step(prepared)) {
     const auto text = [prepared](int column) {

@@ -145,6 +145,13 @@ bool Database::isBusy() const noexcept
 
 bool Database::wasStopped() const noexcept { return content_->watch->wasStopped; }
 
+bool Database::hasToStop() const noexcept
+{
+  Watch& watch = *content_->watch;
+  watch.wasStopped = watch.wasStopped || watch.stop.stop_requested();
+  return watch.wasStopped;
+}
+
 Error Database::readingError(const Sentence& reason) const { return content_->error(reason); }
 
 std::string creationOf(const FileKind& kind)

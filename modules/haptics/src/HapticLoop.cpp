@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "perilymph/haptics/HapticLoop.h"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -80,6 +82,8 @@ struct HapticLoop::Content {
   double measuredRate = 0.0;     // [1/s]
   double tickTimeP99 = 0.0;      // [s]
   bool hasRealTimePriority = false;
+  realtime::LockedMemory memory;  // by start()
+  bool isStackLocked = false;
 };
 
 HapticLoop::HapticLoop(device::HapticDevice& device, std::unique_ptr<InsertionEngine> engine)
@@ -165,11 +169,18 @@ void HapticLoop::start()
   if (content_->thread.joinable()) return;
   content_->engine->model().prepareForRealTime();
   content_->isStopping = false;
+  // What the tick writes at fixed places; the vectors of the state were written when it was built.
+  const auto bytesOf = [](const auto& object) { return std::as_bytes(std::span(&object, 1)); };
+  const std::array<std::span<const std::byte>, 4> buffers{
+      bytesOf(*content_), bytesOf(*content_->engine), content_->commands.memory(),
+      content_->records.memory()};
+  content_->memory = realtime::lockMemory(buffers);
   content_->thread = std::thread([this] {
     declareThread(ThreadRole::haptic);
     Content& loop = *content_;
     loop.hasRealTimePriority =
         realtime::requestRealTimePriority() == realtime::RealTimePriority::granted;
+    loop.isStackLocked = realtime::lockStack();
     const std::int64_t now = realtime::monotonicNanoseconds();
     loop.followsDevice = followsReports(loop.device.traits(), loop.engine->model().timeStep);
     loop.pacer.start(now);
@@ -231,6 +242,8 @@ void HapticLoop::Content::measure(std::int64_t began, std::int64_t ended) noexce
   secondBegan = ended;
 }
 
+const realtime::LockedMemory& HapticLoop::lockedMemory() const noexcept { return content_->memory; }
+
 bool HapticLoop::send(const Command& command) noexcept { return content_->commands.push(command); }
 
 void HapticLoop::requestStop() noexcept { content_->stopAt = atOnce; }
@@ -268,6 +281,7 @@ LoopStatistics HapticLoop::statistics() const
   statistics.tickTimeP99 = loop.allTicks.quantile(0.99);
   statistics.tickTimeMax = loop.allTicks.longest();
   statistics.hasRealTimePriority = loop.hasRealTimePriority;
+  statistics.isMemoryLocked = loop.memory.isComplete() && loop.isStackLocked;
   return statistics;
 }
 

@@ -10,6 +10,7 @@
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/InsertionEnd.h"
+#include "perilymph/haptics/TickBound.h"
 #include "recording/DeviceReport.h"
 #include "recording/Recorder.h"
 
@@ -209,11 +210,16 @@ std::uint64_t maxTicks(const InsertionParameters& parameters,
 
 Result<void> Insertion::start()
 {
+  // Late ticks of a device that renders force can be felt; those of a mouse or a script cannot.
+  if (content_->device->traits().rendersForce)
+    if (auto bounded = haptics::checkTickBound(*content_->model); !bounded) return bounded;
   // Start the recorder first: its thread must run before the channel fills.
   content_->recorder->start();
   content_->loop->start();
   return {};
 }
+
+Sentence Insertion::memoryNote() const { return noteOn(content_->loop->lockedMemory()); }
 
 void Insertion::stop() noexcept
 {

@@ -109,7 +109,7 @@ double processorTime(const Call& call)
 
 TEST(TreesWithoutEnd, AreRefusedSoon)
 {
-  for (const std::string table : {"tick", "meta", "event"}) {
+  for (const std::string table : {"block", "meta", "event"}) {
     const test::TemporaryFolder folder;
     const fs::path file = record(folder / "some.insertion");
     multiply(file, table);
@@ -130,9 +130,9 @@ TEST(TreesWithoutEnd, DoNotHideTheGoodRecordingsBesideThem)
 {
   const test::TemporaryFolder folder;
   record(folder / "b.insertion");
-  for (const std::string table : {"tick", "meta", "event"})
+  for (const std::string table : {"block", "meta", "event"})
     multiply(record(folder / ("a-" + table + ".insertion")), table);
-  test::runSql(record(folder / "c.insertion"), "DROP TABLE tick");
+  test::runSql(record(folder / "c.insertion"), "DROP TABLE block");
   record(folder / "z.insertion");
   const auto listed = listSessions(folder.path());
   ASSERT_TRUE(listed) << listed.error().message;

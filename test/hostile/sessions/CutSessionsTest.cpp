@@ -50,8 +50,12 @@ fs::path closedRecording(const test::TemporaryFolder& folder)
   const fs::path file = folder / "whole.insertion";
   auto recording = Recording::create(file, test::someFacts());
   EXPECT_TRUE(recording);
-  for (std::uint64_t drain = 0; drain < 20; ++drain)
-    EXPECT_TRUE((*recording)->append(test::quietRecords(ticksPerDrain * drain, ticksPerDrain)));
+  for (std::uint64_t drain = 0; drain < 20; ++drain) {
+    std::vector<haptics::TickRecord> records;  // random: they cannot be packed small
+    for (std::uint64_t i = 0; i < ticksPerDrain; ++i)
+      records.push_back(test::oddRecord(ticksPerDrain * drain + i));
+    EXPECT_TRUE((*recording)->append(records));
+  }
   EXPECT_TRUE((*recording)->close());
   return file;
 }

@@ -111,9 +111,9 @@ TEST_F(ForgedSession, WithCompanionsThatAreLinksIsNotOpened)
 TEST_F(ForgedSession, WhoseTablesComputeWithoutEndIsRefused)
 {
   runSql(
-      "ALTER TABLE tick RENAME TO other; CREATE VIEW tick AS "
+      "ALTER TABLE block RENAME TO other; CREATE VIEW block AS "
       "WITH RECURSIVE n(x) AS (SELECT 0 UNION ALL SELECT x + 1 FROM n) "
-      "SELECT x AS tick, zeroblob(10) AS record FROM n");
+      "SELECT x AS tick, 1 AS ticks, zeroblob(10) AS packed FROM n");
   EXPECT_THAT(refusal(),
               HasSubstr("damaged (it has content that a recording of Perilymph does not have)"));
 }

@@ -41,7 +41,10 @@ protected:
       const fs::path first = folder / (std::to_string(day) + "-0.insertion");
       auto recording = Recording::create(first, facts);
       ASSERT_TRUE(recording) << recording.error().message;
-      ASSERT_TRUE((*recording)->append(test::quietRecords(0, 20)));
+      auto records = test::quietRecords(0, 20);
+      for (haptics::TickRecord& each : records)  // an insertion, not a recording without one
+        each.output.workflow = haptics::Workflow::inserting;
+      ASSERT_TRUE((*recording)->append(records));
       ASSERT_TRUE((*recording)->close());
       for (int copy = 1; copy < recordingsOfADay; ++copy)
         fs::copy_file(first,

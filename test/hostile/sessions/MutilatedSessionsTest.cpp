@@ -13,6 +13,7 @@
 #include "perilymph/session/Replay.h"
 #include "perilymph/test/Forgery.h"
 #include "perilymph/test/OddRecords.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -55,6 +56,10 @@ protected:
   }
 
   void runSql(const std::string& sql) const { test::runSql(file, sql); }
+  void change(const std::function<void(std::vector<haptics::TickRecord>&)>& of) const
+  {
+    test::changeTicks(file, of);
+  }
 
   const test::TemporaryFolder folder;
   const fs::path file = folder / "some.insertion";
@@ -64,19 +69,19 @@ TEST_F(Mutilated, NotAtAllIsWhole) { EXPECT_EQ(checked(), ""); }
 
 TEST_F(Mutilated, ByTheLossOfItsEndIsNoticed)
 {
-  runSql("DELETE FROM tick WHERE tick > 10");
+  change(test::withoutTicks(11, ticks));
   EXPECT_THAT(verdict(), HasSubstr("it holds 11 of the 400 ticks"));
 }
 
 TEST_F(Mutilated, ByTheLossOfItsBeginningIsNoticed)
 {
-  runSql("DELETE FROM tick WHERE tick < 10");
+  change(test::withoutTicks(0, 9));
   EXPECT_THAT(verdict(), HasSubstr("it holds 390 of the 400 ticks"));
 }
 
 TEST_F(Mutilated, ByAHoleIsNoticed)
 {
-  runSql("DELETE FROM tick WHERE tick BETWEEN 100 AND 200");
+  change(test::withoutTicks(100, 200));
   EXPECT_THAT(verdict(), HasSubstr("it holds 299 of the 400 ticks"));
   // even if the count is adjusted
   runSql("UPDATE meta SET value = '299' WHERE key = 'ticks'");
@@ -86,10 +91,17 @@ TEST_F(Mutilated, ByAHoleIsNoticed)
   EXPECT_THAT(verdict(), HasSubstr("hash"));
 }
 
-TEST_F(Mutilated, ByAChangedColumnIsNoticed)
+TEST_F(Mutilated, ByAChangedForceIsNoticed)
 {
-  runSql("UPDATE tick SET force_axial_N = 0.5 WHERE tick = 77");
-  EXPECT_THAT(verdict(), HasSubstr("force_axial_N of tick 77"));
+  change([](auto& records) { records[77].output.axialForce = 0.5; });
+  EXPECT_THAT(verdict(), HasSubstr("hash"));
+}
+
+TEST_F(Mutilated, ByBlocksPackedInAnotherWayIsNoticed)
+{
+  runSql(
+      "UPDATE block SET packed = CAST(packed || x'28b52ffd2000010000' AS BLOB)");  // an empty frame of zstd
+  EXPECT_EQ(checked(), "its hash is that of other ticks or other facts");
 }
 
 TEST_F(Mutilated, ByAnEventThatIsMissingChangedOrInventedIsNoticed)
@@ -118,8 +130,8 @@ TEST_F(Mutilated, ByAChangedFactIsNoticed)
 
 TEST_F(Mutilated, ByARecordPutInPlaceOfAnotherIsNoticed)
 {
-  runSql("UPDATE tick SET tick = tick + 1000 WHERE tick >= 100");
-  EXPECT_THAT(verdict(), HasSubstr("the record of tick 1100 cannot be read"));
+  runSql("UPDATE block SET tick = tick + 1000");
+  EXPECT_THAT(verdict(), HasSubstr("the block of tick 1000 cannot be read"));
 }
 
 TEST_F(Mutilated, ByTheLossOfItsHashIsNoticed)
@@ -130,11 +142,44 @@ TEST_F(Mutilated, ByTheLossOfItsHashIsNoticed)
 
 TEST_F(Mutilated, AndPassedOffAsAnOlderFormatIsNoticed)
 {
+  runSql("PRAGMA user_version=2");
+  EXPECT_THAT(verdict(), HasSubstr("it has content that a recording of Perilymph does not have"));
+}
+
+/// A recording of release 0.2, in format 2.
+class MutilatedFormat2 : public Mutilated {
+protected:
+  MutilatedFormat2()
+  {
+    fs::copy_file(test::testData() / "recordings/contour-published-rod.insertion", file,
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(checked(), "");
+  }
+};
+
+TEST_F(MutilatedFormat2, ByAChangedColumnIsNoticed)
+{
+  runSql("UPDATE tick SET force_axial_N = 0.5 WHERE tick = 77");
+  EXPECT_THAT(verdict(), HasSubstr("force_axial_N of tick 77"));
+}
+
+TEST_F(MutilatedFormat2, ByALostOrMovedRecordIsNoticed)
+{
+  runSql("DELETE FROM tick WHERE tick = 77");
+  EXPECT_THAT(verdict(), HasSubstr("ticks it was closed with"));
+  runSql("UPDATE tick SET tick = tick + 1000 WHERE tick >= 100");
+  EXPECT_THAT(verdict(), HasSubstr("the record of tick 1100 cannot be read"));
+}
+
+TEST_F(MutilatedFormat2, PassedOffAsANewerOrOlderFormatIsNoticed)
+{
+  runSql("PRAGMA user_version=3");
+  EXPECT_THAT(verdict(), HasSubstr("it has content that a recording of Perilymph does not have"));
   runSql("PRAGMA user_version=1");
   EXPECT_THAT(verdict(), HasSubstr("its format has no hash, and there is one"));
 }
 
-TEST_F(Mutilated, ByTheLossOfItsHashAndPassedOffAsAnOlderFormatIsNoticed)
+TEST_F(MutilatedFormat2, ByTheLossOfItsHashAndPassedOffAsAnOlderFormatIsNoticed)
 {
   runSql(
       "PRAGMA user_version=1; DELETE FROM meta WHERE key = 'content_sha256'; "
@@ -158,9 +203,9 @@ TEST_F(Mutilated, ByWhatNoRecordingHoldsIsRefused)
   const fs::path whole = folder / "whole";
   fs::copy_file(file, whole);
   for (const char* change :
-       {"CREATE TABLE more(x)", "CREATE INDEX i ON tick(depth_mm)",
-        "CREATE INDEX i ON tick(depth_mm + 1)", "CREATE VIEW v AS SELECT 1",
-        "CREATE TRIGGER t AFTER INSERT ON tick BEGIN DELETE FROM tick; END",
+       {"CREATE TABLE more(x)", "CREATE INDEX i ON block(ticks)",
+        "CREATE INDEX i ON block(ticks + 1)", "CREATE VIEW v AS SELECT 1",
+        "CREATE TRIGGER t AFTER INSERT ON block BEGIN DELETE FROM block; END",
         "ALTER TABLE meta ADD COLUMN more", "ALTER TABLE event RENAME COLUMN value TO other",
         "DROP TABLE event"}) {
     fs::copy_file(whole, file, fs::copy_options::overwrite_existing);

@@ -42,7 +42,7 @@ std::string dump(const fs::path& file)
   sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
   std::string text;
   for (const char* sql :
-       {"SELECT key, value FROM meta ORDER BY key", "SELECT * FROM tick ORDER BY tick",
+       {"SELECT key, value FROM meta ORDER BY key", "SELECT * FROM block ORDER BY tick",
         "SELECT * FROM event ORDER BY rowid"}) {
     sqlite3_stmt* rows = nullptr;
     if (sqlite3_prepare_v2(database, sql, -1, &rows, nullptr) != SQLITE_OK) text += "unreadable";

@@ -42,15 +42,18 @@ private:
   std::atomic<std::uint64_t>* count_;
 };
 
-TEST(KilledInVirtualTime, LosesLessThanOneDrain)
+/// Within the first block, at the drain that fills it, and after two blocks.
+class KilledInVirtualTime : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(KilledInVirtualTime, LosesLessThanOneDrain)
 {
   const test::TemporaryFolder folder;
   const auto file = folder / "run.insertion";
-  constexpr std::uint64_t lastTick = 333;
+  const std::uint64_t lastTick = GetParam();
   const pid_t child = ::fork();
   if (child == 0) {
-    const auto insertion = test::shortRun(file);
-    static_cast<void>(insertion->runToEnd([](const haptics::TickRecord& record) {
+    const auto insertion = test::shortRun(file, {{"stop_travel_mm", "6"}});
+    static_cast<void>(insertion->runToEnd([lastTick](const haptics::TickRecord& record) {
       if (record.tick == lastTick) ::raise(SIGKILL);
       return true;
     }));
@@ -68,7 +71,10 @@ TEST(KilledInVirtualTime, LosesLessThanOneDrain)
   const auto verification = verify(file);
   ASSERT_TRUE(verification) << verification.error().message;
   EXPECT_TRUE(verification->isIdentical);
+  EXPECT_EQ(verification->ticksCompared, recorded->ticks());
 }
+
+INSTANTIATE_TEST_SUITE_P(At, KilledInVirtualTime, testing::Values(333, 1025, 2600));
 
 /// Result of a process that was killed during an insertion in real time.
 struct Killed {

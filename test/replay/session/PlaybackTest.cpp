@@ -3,14 +3,15 @@
 // A recording viewed tick by tick: after any jump the shape is that of the insertion.
 
 #include <gmock/gmock.h>
-#include <sqlite3.h>
 
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <stop_token>
 
 #include "ShortRun.h"
 #include "perilymph/session/Playback.h"
+#include "perilymph/test/Forgery.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -23,14 +24,6 @@ std::string shapeOf(const haptics::Snapshot& picture)
 {
   return {reinterpret_cast<const char*>(picture.node_W.data()),
           picture.nodes * sizeof picture.node_W[0]};
-}
-
-void runSql(const std::filesystem::path& file, const std::string& sql)
-{
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
-  ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql;
-  sqlite3_close(database);
 }
 
 /// With and without relaxation and yield, whose states a jump restores.
@@ -98,15 +91,10 @@ TEST_P(APlayback, BeyondTheEndShowsTheLastTick)
 
 TEST_P(APlayback, NamesTheFirstTickThatDiffersAndContinues)
 {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(file_.c_str(), &database), SQLITE_OK);
-  sqlite3_blob* blob = nullptr;
-  ASSERT_EQ(sqlite3_blob_open(database, "main", "tick", "record", 200, 1, &blob), SQLITE_OK);
-  const unsigned char byte = 1;  // a byte of the residual, last in the record
-  ASSERT_EQ(sqlite3_blob_write(blob, &byte, 1, sqlite3_blob_bytes(blob) - 3), SQLITE_OK);
-  sqlite3_blob_close(blob);
-  sqlite3_close(database);
-
+  test::changeTicks(file_, [](std::vector<haptics::TickRecord>& records) {
+    for (haptics::TickRecord& record : records)
+      if (record.tick == 200) record.output.residual = std::nextafter(record.output.residual, 1.0);
+  });
   const auto playback = open();
   const auto verification = playback->compute();
   ASSERT_TRUE(verification);
@@ -117,7 +105,7 @@ TEST_P(APlayback, NamesTheFirstTickThatDiffersAndContinues)
 
 TEST_P(APlayback, EndsWhereTicksWereLost)
 {
-  runSql(file_, "DELETE FROM tick WHERE tick BETWEEN 150 AND 159");
+  test::changeTicks(file_, test::withoutTicks(150, 159));
   const auto playback = open();
   EXPECT_EQ(playback->ticks(), 150u - live_.begin()->first);
   const auto verification = playback->compute();
@@ -140,7 +128,7 @@ TEST_P(APlayback, StopsComputingWhenAsked)
 
 TEST_P(APlayback, OfNoTicksIsRefusedWithASentence)
 {
-  runSql(file_, "DELETE FROM tick");
+  test::runSql(file_, "DELETE FROM block");
   const auto refused = Playback::open(file_);
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("contains no samples"));

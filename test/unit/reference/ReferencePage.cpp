@@ -16,6 +16,7 @@
 #include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/PlannedShape.h"
 #include "perilymph/session/Csv.h"
+#include "perilymph/session/Recording.h"
 #include "perilymph/test/Places.h"
 
 namespace perilymph::test {
@@ -260,9 +261,18 @@ std::string referencePage()
   page += columns("*clinical-insertions.csv* of `predict`", validation::clinicalInsertionColumns());
   page +=
       "## Tables in SQL\n\n"
-      "A recording (*.insertion*) has the table `tick` with the first " +
+      "A recording (*.insertion*) has the tables `block`, `event` and `meta`. A row of `block` is "
+      "up "
+      "to " +
+      std::to_string(session::blockTicks) +
+      " time steps, packed: `tick` is the number of the first,\n`ticks` how many. The time series "
+      "as "
+      "the table `tick`, a row per time step with the columns of the CSV:\n\n"
+      "    perilymph-cli replay FILE.insertion --sqlite series.sqlite\n"
+      "    sqlite3 series.sqlite 'SELECT max(force_axial_N) FROM tick WHERE depth_mm > 10'\n\n"
+      "Recordings of 0.2 and before have the table `tick` with the first " +
       std::to_string(session::recordedColumnCount) +
-      " columns of the time series, a row per time step, the table\n`event` and the table `meta`. "
+      " columns of the time series, a row per time step.\n\n"
       "The result of a study, *study.sqlite*, has these tables, and [views](studies.md) of them:\n";
   page += studyTables();
   page +=

@@ -144,11 +144,11 @@ TEST(InsertionByTheClock, RunsRecordsAndStops)
   {
     const auto insertion = prepared(test::shortScenario(), folder / "clock.insertion");
     device::HapticDevice& hand = insertion->device();
-    ASSERT_TRUE(insertion->start());
     haptics::Command arm;
     arm.kind = haptics::Command::Kind::arm;
     ASSERT_TRUE(insertion->send(arm));
     hand.move(device::ScriptedDevice::Motion::insert);
+    ASSERT_TRUE(insertion->start());  // armed in the first tick: none rests, which is not recorded
     ASSERT_TRUE(test::waitUntil([&] {
       insertion->refresh();
       return insertion->latest().output.workflow == haptics::Workflow::finished;

@@ -135,7 +135,7 @@ TEST_F(Library, ListsPatientArrayAndPeakForceNewestFirst)
 TEST_F(Library, ReadsNoTickOfAClosedRecording)
 {
   runSql(record(folder_ / "a.insertion", "2010-05-17T09:30:00Z", hillOfForce()),
-         "DELETE FROM tick");
+         "DELETE FROM block");
   EXPECT_DOUBLE_EQ(list().at(0).highlights.peakForce, 0.1);
 }
 

@@ -9,12 +9,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/Forgery.h"
 #include "perilymph/test/OddRecords.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/TemporaryFolder.h"
 
 namespace perilymph::session {
@@ -177,10 +179,60 @@ TEST(OpeningARecording, RefusesFactsThatAreThereAndUnreadable)
   }
 }
 
-TEST(ReadingTicks, StopsAtAnInvalidRecord)
+TEST(ReadingTicks, StopsAtAnInvalidBlock)
 {
   const test::TemporaryFolder folder;
-  const fs::path file = recorded(folder, 10);
+  const fs::path file = recorded(folder, 2500);  // blocks that begin at 0, 1024 and 2048
+  const fs::path whole = folder / "whole";
+  fs::copy_file(file, whole);
+  for (const char* change :
+       {"SET packed = x'01'", "SET packed = zeroblob(100000)", "SET packed = 'text'",
+        "SET packed = substr(packed, 1, length(packed) - 1)",
+        "SET packed = CAST(packed || x'00' AS BLOB)",
+        "SET packed = (SELECT packed FROM block WHERE tick = 0)", "SET ticks = 1023",
+        "SET ticks = 1025", "SET ticks = 0", "SET ticks = -1", "SET ticks = 1000000000000",
+        "SET ticks = 'many'", "SET tick = 1025", "SET tick = 5", "SET tick = 1023"}) {
+    SCOPED_TRACE(change);
+    fs::copy_file(whole, file, fs::copy_options::overwrite_existing);
+    runSql(file, std::string("UPDATE block ") + change + " WHERE tick = 1024");
+    const auto opened = RecordedInsertion::open(file);
+    ASSERT_TRUE(opened);
+    std::uint64_t seen = 0;
+    const auto read = opened->forEach([&](const haptics::TickRecord&) { return ++seen > 0; });
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().message, HasSubstr("the block of tick"));
+    EXPECT_LE(seen, 1024u);
+    EXPECT_FALSE(opened->check());
+  }
+}
+
+TEST(ReadingTicks, BeginsAndEndsWithinABlock)
+{
+  const test::TemporaryFolder folder;
+  const auto opened = RecordedInsertion::open(recorded(folder, 2500));
+  ASSERT_TRUE(opened);
+  EXPECT_EQ(opened->ticks(), 2500u);
+  for (const std::uint64_t first : {0u, 1u, 1023u, 1024u, 1025u, 2499u}) {
+    std::vector<std::uint64_t> seen;
+    ASSERT_TRUE(opened->forEach(
+        [&](const haptics::TickRecord& record) {
+          seen.push_back(record.tick);
+          return seen.size() < 3;
+        },
+        first));
+    std::vector<std::uint64_t> expected;
+    for (std::uint64_t tick = first; tick < std::min<std::uint64_t>(2500, first + 3); ++tick)
+      expected.push_back(tick);
+    EXPECT_EQ(seen, expected);
+  }
+  EXPECT_TRUE(opened->forEach([](const auto&) { return ADD_FAILURE(), false; }, 2500));
+}
+
+TEST(ReadingTicks, OfFormat2StopsAtAnInvalidRecord)
+{
+  const test::TemporaryFolder folder;
+  const fs::path file = folder / "some.insertion";
+  fs::copy_file(test::testData() / "recordings/contour-published-rod.insertion", file);
   for (const char* change : {"UPDATE tick SET record = x'01' WHERE tick = 4",
                              "UPDATE tick SET record = (SELECT record FROM tick WHERE tick = 3) "
                              "WHERE tick = 4",

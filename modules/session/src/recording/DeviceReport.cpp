@@ -39,7 +39,8 @@ std::string deviceReport(const device::DeviceHealth& health,
                                          {"tick_median_s", statistics.tickTimeMedian},
                                          {"tick_p99_s", statistics.tickTimeP99},
                                          {"tick_max_s", statistics.tickTimeMax},
-                                         {"real_time", statistics.hasRealTimePriority}};
+                                         {"real_time", statistics.hasRealTimePriority},
+                                         {"memory_locked", statistics.isMemoryLocked}};
   return report.dump();
 }
 

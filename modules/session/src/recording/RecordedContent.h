@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "perilymph/database/Database.h"
 #include "perilymph/session/RecordedInsertion.h"
@@ -36,6 +37,15 @@ struct RecordedInsertion::Content {
   Result<void> forEachRising(
       const std::string& sql, std::int64_t firstKey,
       const std::function<Result<bool>(const database::Statement&)>& each) const;
+
+  /// Ticks are in the table `block`; else, in earlier formats, each is a row of the table `tick`.
+  bool hasBlocks() const { return database.version() >= firstVersionWithBlocks; }
+  /// Calls `each` with the ticks of every row from that which holds `firstTick`, in order, until it
+  /// returns false. Columns of the row: tick, ticks, packed; or tick, record and recordedNames.
+  Result<void> forEachBlock(
+      std::uint64_t firstTick,
+      const std::function<Result<bool>(std::span<const haptics::TickRecord>,
+                                       const database::Statement& row)>& each) const;
 };
 
 }  // namespace perilymph::session

@@ -6,8 +6,10 @@
 #include <stop_token>
 
 #include "perilymph/foundation/RenamedKeys.h"
+#include "perilymph/session/Csv.h"
 #include "recording/RecordedContent.h"
 #include "recording/TickBlob.h"
+#include "recording/TickBlock.h"
 
 namespace perilymph::session {
 
@@ -19,6 +21,20 @@ using database::Statement;
 
 constexpr std::size_t maxMetaRows = 100;
 constexpr std::size_t maxMetaBytes = std::size_t{4} << 20;
+
+std::string selectTicks()
+{
+  std::string columns = "tick, record";
+  for (const char* name : recordedNames) columns += std::string(", ") + name;
+  return "SELECT " + columns + " FROM tick WHERE tick >= ? ORDER BY tick";
+}
+
+/// The key of a table of ticks: SQLite's keys are signed.
+std::int64_t keyOf(std::uint64_t tick)
+{
+  return static_cast<std::int64_t>(
+      std::min<std::uint64_t>(tick, std::numeric_limits<std::int64_t>::max()));
+}
 
 }  // namespace
 
@@ -42,6 +58,49 @@ Result<void> RecordedInsertion::Content::forEachRising(
   }
   if (step == Statement::Step::failed) return damaged(database.lastError());
   return {};
+}
+
+Result<void> RecordedInsertion::Content::forEachBlock(
+    std::uint64_t firstTick,
+    const std::function<Result<bool>(std::span<const haptics::TickRecord>, const Statement&)>& each)
+    const
+{
+  if (!hasBlocks())
+    return forEachRising(
+        selectTicks(), keyOf(firstTick), [&](const Statement& row) -> Result<bool> {
+          const auto record =
+              row.type(1) == Statement::Type::blob ? readTick(row.blob(1)) : std::nullopt;
+          if (!record || record->tick != static_cast<std::uint64_t>(row.integer(0)))
+            return damaged(Sentence{"the record of tick %1 cannot be read", row.integer(0)});
+          return each(std::span(&*record, 1), row);
+        });
+
+  // the first tick may be within a block
+  std::int64_t first = keyOf(firstTick);
+  auto before =
+      database.prepare("SELECT tick FROM block WHERE tick <= ? ORDER BY tick DESC LIMIT 1");
+  if (!before) return damaged(before.error().message);
+  before->bind(0, first);
+  const Statement::Step found = before->step();
+  if (found == Statement::Step::failed) return damaged(database.lastError());
+  if (found == Statement::Step::row) first = std::min(first, before->integer(0));
+
+  BlockUnpacker unpacker;
+  std::optional<std::uint64_t> last;
+  return forEachRising(
+      "SELECT tick, ticks, packed FROM block WHERE tick >= ? ORDER BY tick", first,
+      [&](const Statement& row) -> Result<bool> {
+        const auto records =
+            row.type(2) == Statement::Type::blob
+                ? unpacker.unpack(row.blob(2), static_cast<std::uint64_t>(row.integer(1)))
+                : std::span<const haptics::TickRecord>();
+        if (records.empty() || records.front().tick != static_cast<std::uint64_t>(row.integer(0)) ||
+            (last && records.front().tick <= *last))
+          return damaged(Sentence{"the block of tick %1 cannot be read", row.integer(0)});
+        last = records.back().tick;
+        if (database.hasToStop()) return damaged(Sentence{});
+        return each(records, row);
+      });
 }
 
 Result<void> RecordedInsertion::Content::readMeta()
@@ -117,12 +176,16 @@ const RecordingFacts& RecordedInsertion::facts() const noexcept { return content
 std::uint64_t RecordedInsertion::ticks() const
 {
   // Counted row by row: SQLite's own count is one instruction, which cannot be interrupted.
+  const char* rows = content_->hasBlocks()
+                         ? "SELECT tick, ticks FROM block WHERE tick >= ? ORDER BY tick"
+                         : "SELECT tick, 1 FROM tick WHERE tick >= ? ORDER BY tick";
   std::uint64_t count = 0;
-  static_cast<void>(content_->forEachRising("SELECT tick FROM tick WHERE tick >= ? ORDER BY tick",
-                                            0, [&count](const Statement&) -> Result<bool> {
-                                              ++count;
-                                              return true;
-                                            }));
+  static_cast<void>(
+      content_->forEachRising(rows, 0, [&count](const Statement& row) -> Result<bool> {
+        const auto ticks = static_cast<std::uint64_t>(row.integer(1));
+        if (ticks <= blockTicks) count += ticks;  // others cannot be read
+        return ticks <= blockTicks;
+      }));
   return count;
 }
 
@@ -147,16 +210,12 @@ Result<Highlights> RecordedInsertion::highlights() const
 Result<void> RecordedInsertion::forEach(const std::function<bool(const haptics::TickRecord&)>& each,
                                         std::uint64_t firstTick) const
 {
-  const auto first = static_cast<std::int64_t>(
-      std::min<std::uint64_t>(firstTick, std::numeric_limits<std::int64_t>::max()));
-  return content_->forEachRising(
-      "SELECT tick, record FROM tick WHERE tick >= ? ORDER BY tick", first,
-      [&](const Statement& row) -> Result<bool> {
-        const auto record = readTick(row.blob(1));
-        if (!record || record->tick != static_cast<std::uint64_t>(row.integer(0)))
-          return content_->damaged(
-              Sentence{"the record of tick %1 cannot be read", row.integer(0)});
-        return each(*record);
+  return content_->forEachBlock(
+      firstTick,
+      [&](std::span<const haptics::TickRecord> records, const Statement&) -> Result<bool> {
+        return std::all_of(records.begin(), records.end(), [&](const auto& record) {
+          return record.tick < firstTick || each(record);
+        });
       });
 }
 

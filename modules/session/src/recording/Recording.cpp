@@ -24,7 +24,7 @@
 #include "recording/RecordedFacts.h"
 #include "recording/RecordingEvents.h"
 #include "recording/RecordingFormat.h"
-#include "recording/TickBlob.h"
+#include "recording/TickBlock.h"
 
 namespace perilymph::session {
 
@@ -53,13 +53,6 @@ Error cannotCreate(const fs::path& file, int reason)
                std::strerror(reason)};
 }
 
-std::string insertTick()
-{
-  std::string values = "INSERT INTO tick VALUES(?";
-  for (int i = 0; i < recordedColumnCount; ++i) values += ",?";
-  return values + ",?)";
-}
-
 /// Identity of the file at a path; {0, 0} if there is none.
 std::pair<dev_t, ino_t> inodeOf(const fs::path& file)
 {
@@ -74,14 +67,16 @@ struct Recording::Content {
   fs::path file;
   std::pair<dev_t, ino_t> identity;
   std::optional<Database> database;
-  std::optional<Statement> insertTick, insertEvent, setMeta;
-  std::vector<unsigned char> blob;
+  std::optional<Statement> insertBlock, removeBlocks, insertEvent, setMeta;
+  BlockPacker packer;
   bool isClosed = false;
   bool isEnded = false;  ///< Marked as closed; its log is not merged yet.
   bool isCut = false;    ///< A drain failed.
 
-  MetaRows meta;   ///< As in the file.
-  Sha256 records;  ///< Hash of all ticks so far.
+  MetaRows meta;                          ///< As in the file.
+  std::vector<haptics::TickRecord> open;  ///< The newest ticks, in small blocks so far.
+  Sha256 fullBlocks;                      ///< Hash of the blocks before these.
+  Sha256 blocks;                          ///< Hash of all blocks.
   EventDetector events;
   Highlights highlights;
 
@@ -109,10 +104,23 @@ struct Recording::Content {
     meta[key] = value;
     return setMeta->step() == Statement::Step::done;
   }
-  bool keepHash() { return keep(MetaKey::contentHash, sealOver(meta, records)); }
+  bool keepHash() { return keep(MetaKey::contentHash, sealOver(meta, blocks)); }
 
-  bool addEvent(const Event& event);
-  bool addTick(const haptics::TickRecord& record);
+  /// Calls `each` for every prepared statement.
+  template <class Each>
+  void forEachStatement(const Each& each)
+  {
+    for (auto* statement : {&insertBlock, &removeBlocks, &insertEvent, &setMeta}) each(*statement);
+  }
+  void resetStatements()
+  {
+    forEachStatement([](auto& statement) { statement.reset(); });
+  }
+
+  bool addEvents(const haptics::TickRecord& record);
+  bool addBlock(std::span<const haptics::TickRecord> records);
+  bool addTicks(std::span<const haptics::TickRecord> records);
+  bool fillBlock();
   bool keepHighlights();
   bool keepEnding(std::uint64_t lostRecords, const std::string& deviceReport);
   /// Runs `write` in one transaction, rolled back on failure.
@@ -126,31 +134,59 @@ struct Recording::Content {
   Result<bool> mergeLog();
 };
 
-bool Recording::Content::addEvent(const Event& event)
+bool Recording::Content::addEvents(const haptics::TickRecord& record)
 {
-  insertEvent->reset();
-  insertEvent->bind(0, static_cast<std::int64_t>(event.tick));
-  insertEvent->bind(1, event.time);
-  insertEvent->bind(2, event.kind);
-  std::visit([this](const auto& value) { insertEvent->bind(3, value); }, event.value);
-  return insertEvent->step() == Statement::Step::done;
+  const std::vector<Event> found = events.add(record);
+  return std::all_of(found.begin(), found.end(), [this](const Event& event) {
+    insertEvent->reset();
+    insertEvent->bind(0, static_cast<std::int64_t>(event.tick));
+    insertEvent->bind(1, event.time);
+    insertEvent->bind(2, event.kind);
+    std::visit([this](const auto& value) { insertEvent->bind(3, value); }, event.value);
+    return insertEvent->step() == Statement::Step::done;
+  });
 }
 
-bool Recording::Content::addTick(const haptics::TickRecord& record)
+/// Adds one row with these ticks.
+bool Recording::Content::addBlock(std::span<const haptics::TickRecord> records)
 {
-  insertTick->reset();
-  insertTick->bind(0, static_cast<std::int64_t>(record.tick));
-  int parameter = 1;
-  const auto values = columnValues(record);
-  for (const double value : std::span(values).first(recordedColumnCount))
-    insertTick->bind(parameter++, value);
-  writeTick(record, blob);
-  insertTick->bind(parameter, std::span<const unsigned char>(blob));
-  if (insertTick->step() != Statement::Step::done) return false;
-  records.add(std::span<const unsigned char>(blob));
-  const std::vector<Event> found = events.add(record);
-  return std::all_of(found.begin(), found.end(),
-                     [this](const Event& event) { return addEvent(event); });
+  const auto firstTick = static_cast<std::int64_t>(records.front().tick);
+  const auto ticks = static_cast<std::int64_t>(records.size());
+  const std::span<const unsigned char> packed = packer.pack(records);
+  if (packed.empty()) return false;
+  insertBlock->reset();
+  insertBlock->bind(0, firstTick);
+  insertBlock->bind(1, ticks);
+  insertBlock->bind(2, packed);
+  session::addBlock(blocks, firstTick, ticks, packed);
+  return insertBlock->step() == Statement::Step::done;
+}
+
+/// Replaces the small blocks by one.
+bool Recording::Content::fillBlock()
+{
+  if (open.empty()) return true;
+  removeBlocks->reset();
+  removeBlocks->bind(0, static_cast<std::int64_t>(open.front().tick));
+  if (removeBlocks->step() != Statement::Step::done) return false;
+  blocks = fullBlocks;
+  if (!addBlock(open)) return false;
+  fullBlocks = blocks;
+  open.clear();
+  return true;
+}
+
+bool Recording::Content::addTicks(std::span<const haptics::TickRecord> records)
+{
+  while (!records.empty()) {
+    const auto now = records.first(std::min(records.size(), blockTicks - open.size()));
+    records = records.subspan(now.size());
+    open.insert(open.end(), now.begin(), now.end());
+    if (!(open.size() == blockTicks ? fillBlock() : addBlock(now))) return false;
+    if (!std::all_of(now.begin(), now.end(), [this](const auto& tick) { return addEvents(tick); }))
+      return false;
+  }
+  return true;
 }
 
 bool Recording::Content::keepHighlights()
@@ -165,7 +201,8 @@ bool Recording::Content::keepHighlights()
 
 bool Recording::Content::keepEnding(std::uint64_t lostRecords, const std::string& deviceReport)
 {
-  return keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, events.missingTicks()))) &&
+  return fillBlock() &&
+         keep(MetaKey::lostRecords, std::to_string(std::max(lostRecords, events.missingTicks()))) &&
          (deviceReport.empty() || keep(MetaKey::deviceReport, deviceReport)) && keepHighlights() &&
          keep(MetaKey::closed, "1") && keepHash();
 }
@@ -175,7 +212,7 @@ Result<void> Recording::Content::transact(const std::function<bool()>& write)
   if (const auto done = database->run("BEGIN"); !done) return done.error();
   const bool isWritten = write();
   std::string reason = isWritten ? "" : database->lastError();
-  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) (*statement)->reset();
+  forEachStatement([](auto& statement) { statement->reset(); });
   if (isWritten) {
     const auto done = database->run("COMMIT");
     if (done) return {};
@@ -189,7 +226,8 @@ Result<void> Recording::Content::transact(const std::function<bool()>& write)
 Result<void> Recording::Content::prepare()
 {
   const std::pair<std::optional<Statement>&, std::string> statements[] = {
-      {insertTick, session::insertTick()},
+      {insertBlock, "INSERT INTO block VALUES(?,?,?)"},
+      {removeBlocks, "DELETE FROM block WHERE tick >= ?"},
       {insertEvent, "INSERT INTO event VALUES(?,?,?,?)"},
       {setMeta, "INSERT OR REPLACE INTO meta VALUES(?,?)"}};
   for (const auto& [statement, sql] : statements) {
@@ -216,7 +254,7 @@ Result<void> Recording::Content::write(const fs::path& unfinished, const Recordi
   setMeta->reset();
   if (!isKept) return Error{database->lastError()};
   if (const auto done = database->run("COMMIT"); !done) return done.error();
-  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+  resetStatements();
   database.reset();
   return {};
 }
@@ -231,7 +269,9 @@ Result<void> Recording::Content::begin()
   if (const auto done = prepare(); !done) return done;
   // After a commit the data are with the operating system and survive the end of the process;
   // waiting for the disk at every drain would only protect against a power failure.
-  return database->run("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+  // Small blocks that a full one replaces need not be overwritten with zeros: it holds the same.
+  return database->run(
+      "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA secure_delete=OFF");
 }
 
 /// Opens a closed recording again.
@@ -292,9 +332,7 @@ Result<void> Recording::append(std::span<const haptics::TickRecord> records)
   if (content.isClosed)
     if (auto again = content.goOn(); !again) return again;
   const auto done = content.transact([&] {
-    return (!content.isEnded || content.keep(MetaKey::closed, "0")) &&
-           std::all_of(records.begin(), records.end(),
-                       [&](const auto& record) { return content.addTick(record); }) &&
+    return (!content.isEnded || content.keep(MetaKey::closed, "0")) && content.addTicks(records) &&
            content.keepHash();
   });
   if (done) content.isEnded = false;
@@ -315,7 +353,7 @@ Result<void> Recording::Content::end(std::uint64_t lostRecords, const std::strin
   isEnded = isInPlace && done;
   isClosed = !isEnded;
   if (!isInPlace) {
-    for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+    resetStatements();
     database->abandon();
     return isGone();
   }
@@ -326,7 +364,7 @@ Result<void> Recording::Content::end(std::uint64_t lostRecords, const std::strin
 /// Closes the file.
 void Recording::Content::letGo()
 {
-  for (auto* statement : {&insertTick, &insertEvent, &setMeta}) statement->reset();
+  resetStatements();
   database.reset();
   isClosed = true;
   isEnded = false;

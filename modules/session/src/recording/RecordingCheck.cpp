@@ -10,7 +10,7 @@
 #include "perilymph/session/Csv.h"
 #include "recording/RecordedContent.h"
 #include "recording/RecordingEvents.h"
-#include "recording/TickBlob.h"
+#include "recording/TickBlock.h"
 
 namespace perilymph::session {
 
@@ -61,17 +61,21 @@ bool holds(const Statement& row, const Event& event)
 /// Data collected from the ticks of a recording.
 struct TickSurvey {
   std::uint64_t ticks = 0;
-  Sha256 records;
+  Sha256 rows;
   std::vector<Event> events;
   std::uint64_t missingTicks = 0;
-  std::string damage;  ///< First inconsistency of the columns.
+  std::string damage;  ///< First inconsistency of the columns, in formats that have them.
 };
 
-std::string selectTicks()
+/// The first column of a row of the table `tick` that is not that of its record; empty if all are.
+std::string differingColumn(const haptics::TickRecord& record, const Statement& row)
 {
-  std::string columns = "tick, record";
-  for (const char* name : recordedNames) columns += std::string(", ") + name;
-  return "SELECT " + columns + " FROM tick WHERE tick >= ? ORDER BY tick";
+  const auto values = columnValues(record);
+  for (std::size_t i = 0; i < recordedColumnCount; ++i)
+    if (!holds(row, 2 + static_cast<int>(i), values[i]))
+      return std::string(recordedNames[i]) + " of tick " + std::to_string(record.tick) +
+             " is not that of its record";
+  return {};
 }
 
 }  // namespace
@@ -90,24 +94,22 @@ Result<RecordingCheck> RecordedInsertion::check() const
   const Content& content = *content_;
   TickSurvey survey;
   EventDetector detector;
-  const auto addTick = [&](const Statement& row) -> Result<bool> {
-    const bool isBlob = row.type(1) == Type::blob;
-    const auto record = readTick(row.blob(1));
-    if (!isBlob || !record || record->tick != static_cast<std::uint64_t>(row.integer(0)))
-      return content.damaged(Sentence{"the record of tick %1 cannot be read", row.integer(0)});
-    ++survey.ticks;
-    survey.records.add(row.blob(1));
-    const std::vector<Event> found = detector.add(*record);
-    survey.events.insert(survey.events.end(), found.begin(), found.end());
-    const auto values = columnValues(*record);
-    for (int i = 0; i < recordedColumnCount && survey.damage.empty(); ++i)
-      if (!holds(row, 2 + i, values[static_cast<std::size_t>(i)]))
-        survey.damage = std::string(recordedNames[static_cast<std::size_t>(i)]) + " of tick " +
-                        std::to_string(record->tick) + " is not that of its record";
+  const auto addRow = [&](std::span<const haptics::TickRecord> records,
+                          const Statement& row) -> Result<bool> {
+    survey.ticks += records.size();
+    for (const haptics::TickRecord& record : records) {
+      const std::vector<Event> found = detector.add(record);
+      survey.events.insert(survey.events.end(), found.begin(), found.end());
+    }
+    if (content.hasBlocks()) {
+      addBlock(survey.rows, row.integer(0), row.integer(1), row.blob(2));
+    } else {
+      survey.rows.add(row.blob(1));
+      if (survey.damage.empty()) survey.damage = differingColumn(records.front(), row);
+    }
     return true;
   };
-  if (const auto done = content.forEachRising(selectTicks(), 0, addTick); !done)
-    return done.error();
+  if (const auto done = content.forEachBlock(0, addRow); !done) return done.error();
 
   std::size_t next = 0;
   bool eventsHold = true;
@@ -137,7 +139,7 @@ Result<RecordingCheck> RecordedInsertion::check() const
     result.damage = survey.damage;
   else if (!eventsHold || next != survey.events.size())
     result.damage = "its events are not those of its ticks";
-  else if (sealIn(content.meta, survey.records, result.hasHash) == Seal::changed)
+  else if (sealIn(content.meta, survey.rows, result.hasHash) == Seal::changed)
     result.damage = "its hash is that of other ticks or other facts";
   return result;
 }

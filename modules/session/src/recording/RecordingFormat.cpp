@@ -9,17 +9,26 @@ namespace perilymph::session {
 const database::FileKind& recordingKind()
 {
   static const database::FileKind kind = [] {
+    const std::string meta = "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)";
+    const std::string event =
+        "CREATE TABLE event(tick INTEGER NOT NULL, time_s REAL, kind TEXT NOT NULL, value)";
     std::string columns;
     for (const char* name : recordedNames) columns += std::string(", ") + name + " REAL";
-    return database::FileKind{
+    database::FileKind recording{
         Sentence{"a recording of Perilymph"},
         Sentence{"Choose an .insertion file."},
         Sentence{"Use another copy of the recording."},
         0x506c796d,  // "Plym"
         newestRecordingVersion,
-        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
-         "CREATE TABLE tick(tick INTEGER PRIMARY KEY" + columns + ", record BLOB NOT NULL)",
-         "CREATE TABLE event(tick INTEGER NOT NULL, time_s REAL, kind TEXT NOT NULL, value)"}};
+        {meta,
+         "CREATE TABLE block(tick INTEGER PRIMARY KEY, ticks INTEGER NOT NULL, "
+         "packed BLOB NOT NULL)",
+         event}};
+    recording.tablesSince = firstVersionWithBlocks;
+    recording.formerTables = {
+        meta, "CREATE TABLE tick(tick INTEGER PRIMARY KEY" + columns + ", record BLOB NOT NULL)",
+        event};
+    return recording;
   }();
   return kind;
 }

@@ -14,10 +14,14 @@ namespace perilymph::session {
 ///
 ///   version 1   meta, tick, event
 ///   version 2   adds `content_sha256` to meta, renewed with every transaction
+///   version 3   block in place of tick
 const database::FileKind& recordingKind();
 
 /// First format with a hash of the content.
 inline constexpr std::int64_t firstVersionWithHash = 2;
+
+/// First format whose ticks are packed in blocks.
+inline constexpr std::int64_t firstVersionWithBlocks = 3;
 
 /// All rows of the table `meta`, by their keys.
 using MetaRows = SealedFacts;

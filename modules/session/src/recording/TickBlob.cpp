@@ -80,19 +80,6 @@ private:
   bool isShort_ = false;
 };
 
-/// All fields between version and output.
-template <class Record, class Each>
-void forEachInput(Record& record, Each& each)
-{
-  each(record.tick);
-  each(record.sample.sequence);
-  for (auto& value : record.sample.position_D) each(value);
-  for (auto& value : record.sample.rotation_D) each(value);
-  each(record.sample.buttons);
-  each(record.sample.isValid);
-  each(record.commands.count);
-}
-
 TickBlobVersion versionOf(const haptics::TickRecord& record)
 {
   const bool isRuptured = (record.output.status & haptics::partitionRuptured) != 0;

@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The list of a tick's output fields, used for writing, reading and comparing.
+// The list of a tick's fields, used for writing, reading and comparing.
 
 #include <cmath>
+#include <cstdint>
 
 #include "perilymph/haptics/Snapshot.h"
 
 namespace perilymph::session {
 
-/// Calls `visit(name, index, value)` for every number of an output; arrays element by element, with
-/// index -1 for scalars.
+/// Calls `each(value)` for every number of a tick before its commands, and for their count.
+template <class Record, class Each>
+void forEachInput(Record& record, Each&& each)
+{
+  each(record.tick);
+  each(record.sample.sequence);
+  for (auto& value : record.sample.position_D) each(value);
+  for (auto& value : record.sample.rotation_D) each(value);
+  each(record.sample.buttons);
+  each(record.sample.isValid);
+  each(record.commands.count);
+}
+
+/// The fields of an output that recordings of every version have; see forEachField().
 template <class Output, class Visit>
-void forEachField(Output& output, Visit&& visit)
+void forEachFirstField(Output& output, Visit&& visit)
 {
   const auto visitEach = [&visit](const char* name, auto& values) {
     for (std::size_t i = 0; i < values.size(); ++i) visit(name, static_cast<int>(i), values[i]);
@@ -37,16 +50,43 @@ void forEachField(Output& output, Visit&& visit)
   visit("membraneForce", -1, output.membraneForce);
   visit("styletWithdrawal", -1, output.styletWithdrawal);
   visit("residual", -1, output.residual);
+}
+
+/// The fields of a rupture; see forEachField().
+template <class Output, class Visit>
+void forEachRuptureField(Output& output, Visit&& visit)
+{
+  visit("ruptureAngle", -1, output.translocation.angle);
+  visit("ruptureForce", -1, output.translocation.force);
+  visit("ruptureDepth", -1, output.translocation.depth);
+  visit("lengthAbove", -1, output.translocation.lengthAbove);
+}
+
+/// Calls `visit(name, index, value)` for every number of an output; arrays element by element, with
+/// index -1 for scalars.
+template <class Output, class Visit>
+void forEachField(Output& output, Visit&& visit)
+{
+  forEachFirstField(output, visit);
   // recordings of before have none
   if (!std::isnan(output.partitionForce)) visit("partitionForce", -1, output.partitionForce);
   // recordings of arrays that do not yield, and all of before, have none
   if (!std::isnan(output.plasticWork)) visit("plasticWork", -1, output.plasticWork);
   // recordings without a rupture, and all of before, have none of these
-  if ((output.status & haptics::partitionRuptured) == 0) return;
-  visit("ruptureAngle", -1, output.translocation.angle);
-  visit("ruptureForce", -1, output.translocation.force);
-  visit("ruptureDepth", -1, output.translocation.depth);
-  visit("lengthAbove", -1, output.translocation.lengthAbove);
+  if ((output.status & haptics::partitionRuptured) != 0) forEachRuptureField(output, visit);
+}
+
+/// Calls `each(value)` for every number of a tick but its commands: the columns of a block, always
+/// the same.
+template <class Record, class Each>
+void forEachColumn(Record& record, Each&& each)
+{
+  const auto visit = [&each](const char*, int, auto& value) { each(value); };
+  forEachInput(record, each);
+  forEachFirstField(record.output, visit);
+  each(record.output.partitionForce);
+  each(record.output.plasticWork);
+  forEachRuptureField(record.output, visit);
 }
 
 }  // namespace perilymph::session

@@ -95,6 +95,8 @@ public:
   bool isBusy() const noexcept;
   /// True once the stop token ended a query.
   bool wasStopped() const noexcept;
+  /// Looks at the stop token between the rows of a query, for rows that take long to read.
+  bool hasToStop() const noexcept;
   /// Message for a file that could not be read: damaged, with the reason, or stopped.
   Error readingError(const Sentence& reason) const;
 

@@ -21,11 +21,13 @@ struct FileKind {
   std::int64_t applicationId = 0;   ///< SQLite's application_id.
   std::int64_t newestVersion = 1;   ///< Versions 1 to this one are accepted (SQLite's
                                     ///< user_version).
-  std::vector<std::string> tables;  ///< `CREATE TABLE` statements, the same in every version.
+  std::vector<std::string> tables;  ///< `CREATE TABLE` statements of new files.
   /// `CREATE VIEW` statements for other programs; earlier versions may lack them.
   std::vector<std::string> views = {};
   /// The same of views in files of earlier versions, which new files do not have.
   std::vector<std::string> formerViews = {};
+  std::int64_t tablesSince = 1;                ///< First version with `tables`.
+  std::vector<std::string> formerTables = {};  ///< The same of files of versions before it.
 };
 
 /// SQL statements that mark an empty file as the newest version of its kind, begin a transaction

@@ -10,6 +10,7 @@
 #include "perilymph/foundation/Result.h"
 #include "perilymph/haptics/InsertionEngine.h"
 #include "perilymph/haptics/Snapshot.h"
+#include "perilymph/realtime/LockedMemory.h"
 
 namespace perilymph::haptics {
 
@@ -24,6 +25,7 @@ struct LoopStatistics {
   double tickTimeP99 = 0.0;          ///< [s]
   double tickTimeMax = 0.0;          ///< [s]
   bool hasRealTimePriority = false;  ///< SCHED_FIFO was granted.
+  bool isMemoryLocked = false;       ///< The loop's buffers and its stack stay in RAM.
 };
 
 /// Runs an engine with a device, either by the clock on a thread of its own or tick by tick in the
@@ -39,11 +41,13 @@ public:
   HapticLoop(const HapticLoop&) = delete;
   HapticLoop& operator=(const HapticLoop&) = delete;
 
-  /// Starts the haptic thread. Requests SCHED_FIFO and continues without it. If the device reports
+  /// Starts the haptic thread. Requests SCHED_FIFO and locked memory and continues without them. If the device reports
   /// once per tick, within 10 %, each tick is triggered by a report, which minimizes latency;
   /// otherwise, and while reports are missing, by the machine's clock.
   /// @throws std::system_error if the system has no more threads.
   void start();
+  /// What start() locked in RAM; the stack of the thread is not counted.
+  const realtime::LockedMemory& lockedMemory() const noexcept;
   /// Stops the thread and sets the force to zero.
   void stop() noexcept;
 

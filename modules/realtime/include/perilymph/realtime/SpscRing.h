@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -26,6 +27,8 @@ public:
   }
 
   std::size_t capacity() const noexcept { return slots_.size(); }
+  /// Where the values lie, to be locked in RAM.
+  std::span<const std::byte> memory() const noexcept { return std::as_bytes(std::span(slots_)); }
 
   /// Appends a value. False if the ring is full. Writer thread only. Real-time safe.
   bool push(const Value& value) noexcept

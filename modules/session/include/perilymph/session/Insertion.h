@@ -48,7 +48,11 @@ public:
                         std::uint64_t maxTicks = 10'000'000);
 
   // --- by the clock: a haptic thread and a recorder thread ---
+  /// Starts both. Refuses, at a device that renders force, a model of which a tick can take longer than
+  /// its time step on this machine (haptics::checkTickBound()).
   Result<void> start();
+  /// A sentence about memory that start() could not lock in RAM; empty if all is.
+  Sentence memoryNote() const;
   void stop() noexcept;
   bool send(const haptics::Command& command) noexcept;
   /// HapticLoop::requestStop(), requestStopAt() and cancelStopAt().

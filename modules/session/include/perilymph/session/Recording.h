@@ -4,10 +4,11 @@
 // Recording of an insertion: one SQLite database, readable at any time, even after a crash.
 //
 //   meta(key, value)                   scenario, version, device, step: see RecordingFacts
-//   tick(tick, <columns>, record)      one row per tick: readable columns, and a BLOB for replay
+//   block(tick, ticks, packed)         up to 1024 ticks, packed without loss, by the first of them
 //   event(tick, time_s, kind, value)   commands, changes of workflow and status, rupture of the
 //                                      partition, lost ticks
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -21,7 +22,11 @@
 namespace perilymph::session {
 
 /// Newest file format that this program writes and reads.
-inline constexpr int newestRecordingVersion = 2;
+inline constexpr int newestRecordingVersion = 3;
+
+/// Ticks in a full block: a second at 1 kHz. Larger blocks save 2 % more (measured), and showing one
+/// tick unpacks its block.
+inline constexpr std::size_t blockTicks = 1024;
 
 /// Metadata of a recording. Numbers needed for replay are stored exactly.
 struct RecordingFacts {
@@ -54,8 +59,8 @@ public:
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
-  /// Adds ticks in one transaction: after return they survive the end of the process. On failure
-  /// none of them is stored. A closed recording is opened again and continued, as when an array is
+  /// Adds ticks in one transaction: after return they survive the end of the process. Those of a few
+  /// calls are small blocks, which a full one replaces. On failure none of them is stored. A closed recording is opened again and continued, as when an array is
   /// withdrawn after its insertion.
   Result<void> append(std::span<const haptics::TickRecord> records);
 

@@ -50,6 +50,12 @@ inline haptics::TickRecord oddRecord(std::uint64_t tick)
     *value = number();
   for (auto* values : {&output.force_W, &output.tip_W, &output.device_W, &output.proxy_W})
     for (double& value : *values) value = number();
+  // these are stored, in formats 1 and 2, where they are numbers and the partition has ruptured
+  output.partitionForce = number();
+  output.plasticWork = number();
+  for (double* value : {&output.translocation.angle, &output.translocation.force,
+                        &output.translocation.depth, &output.translocation.lengthAbove})
+    *value = number();
   return record;
 }
 
@@ -81,6 +87,10 @@ inline std::vector<std::uint64_t> bitsOf(const haptics::TickRecord& record)
     add(value);
   for (const auto& values : {output.force_W, output.tip_W, output.device_W, output.proxy_W})
     for (const double value : values) add(value);
+  for (const double value :
+       {output.partitionForce, output.plasticWork, output.translocation.angle,
+        output.translocation.force, output.translocation.depth, output.translocation.lengthAbove})
+    add(value);
   return bits;
 }
 

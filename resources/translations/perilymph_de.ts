@@ -4783,8 +4783,12 @@
         <translation>seine Achsen %1 passen nicht zu den angegebenen Anzahlen: %2 Achsen mit Kraft und %3 mit Drehmoment.</translation>
     </message>
     <message>
-        <source>With %1 nodes a time step can take %2 ms on this machine, longer than its period of %3 ms, so that the force at the device could be late. Set nodes to at most %4.</source>
-        <translation>Mit %1 Knoten kann ein Zeitschritt auf diesem Rechner %2 ms dauern, länger als seine Periode von %3 ms, sodass die Kraft am Gerät zu spät kommen könnte. Setzen Sie „nodes“ auf höchstens %4.</translation>
+        <source>The file of the array %1 was changed since the scenario %2 was read. Read the scenario again.</source>
+        <translation>Die Datei des Arrays %1 wurde geändert, seit das Szenario %2 gelesen wurde. Lesen Sie das Szenario erneut.</translation>
+    </message>
+    <message>
+        <source>With %1 nodes a time step can take %2 ms on this machine, longer than %3 ms, so that the force at the device could be late. Set nodes to at most %4.</source>
+        <translation>Mit %1 Knoten kann ein Zeitschritt auf diesem Rechner %2 ms dauern, länger als %3 ms, sodass die Kraft am Gerät zu spät kommen könnte. Setzen Sie „nodes“ auf höchstens %4.</translation>
     </message>
     <message>
         <source>Of the %1 MB of memory in which the haptic loop works %2 MB are locked in RAM; the system allows %3 MB. If ticks are late while memory is short, add the line &apos;@audio - memlock unlimited&apos; to /etc/security/limits.d/audio.conf, join the group audio and log in again.</source>

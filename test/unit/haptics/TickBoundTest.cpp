@@ -45,10 +45,9 @@ TEST(TickBound, ThatCanBeFeltIsRefusedWithNodesThatFit)
 {
   const auto refused = checkTickBound(*ring(1000, milliseconds(0.1)));
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message,
-              testing::AllOf(testing::HasSubstr("With 1000 nodes"),
-                             testing::HasSubstr("longer than 1.00 ms"),
-                             testing::HasSubstr("Set nodes to at most")));
+  EXPECT_THAT(refused.error().message, testing::AllOf(testing::HasSubstr("With 1000 nodes"),
+                                                      testing::HasSubstr("longer than 1.00 ms"),
+                                                      testing::HasSubstr("Set nodes to at most")));
   EXPECT_TRUE(checkTickBound(*ring(20, milliseconds(10))));
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """No source of the programs includes network headers, and no build file links network libraries, but in the
-module that --igtl asks for and in that of `archive`."""
+module that --igtl asks for, in that of `archive`, and in the plug-in of a device whose service is asked by a socket, which
+no program contains."""
 
 import re
 import sys
@@ -11,7 +12,7 @@ HEADERS = re.compile(
     r'QtNetwork|QNetwork|QTcp|QUdp|QSsl|QLocalServer|QLocalSocket|QWebSocket|QDesktopServices|'
     r'dcmtk/|vtkSocket|vtkClientSocket|vtkServerSocket|vtkWeb|spdlog/sinks/(tcp|udp))')
 LIBRARIES = re.compile(r"Qt\S*::(Network|WebSockets|WebEngine)|VTK::Web|CURL::|libcurl|OpenSSL::|DCMTK::")
-ASKED_FOR = ("modules/archive/", "modules/broadcast/")
+ASKED_FOR = ("modules/archive/", "modules/broadcast/", "plugins/devices/haply/")
 CODE = {".h", ".hpp", ".c", ".cc", ".cpp", ".cxx"}
 
 

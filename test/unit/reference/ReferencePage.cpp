@@ -268,7 +268,8 @@ std::string referencePage()
       " time steps, packed: `tick` is the number of the first,\n`ticks` how many. The time series "
       "as "
       "the table `tick`, a row per time step with the columns of the CSV:\n\n"
-      "    perilymph-cli replay FILE.insertion --sqlite series.sqlite\n"
+      "    perilymph-cli simulate --scenario contour-published --record session.insertion\n"
+      "    perilymph-cli replay session.insertion --sqlite series.sqlite\n"
       "    sqlite3 series.sqlite 'SELECT max(force_axial_N) FROM tick WHERE depth_mm > 10'\n\n"
       "Recordings of 0.2 and before have the table `tick` with the first " +
       std::to_string(session::recordedColumnCount) +

@@ -13,6 +13,7 @@
 #include "RaisedFlags.h"
 #include "Refusal.h"
 #include "RoundWindow.h"
+#include "SeedSearch.h"
 #include "perilymph/foundation/Math.h"
 #include "perilymph/foundation/Units.h"
 #include "pipeline/Pipeline.h"

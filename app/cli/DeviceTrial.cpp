@@ -161,6 +161,11 @@ std::string TrialOutcome::shortcoming() const
   if (axesShown() < axes)
     return "the force was rendered on " + std::to_string(axesShown()) + " of " +
            std::to_string(axes) + " axes" + (untested.empty() ? "" : ": " + untested);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    if (forces[i].isAgainst)
+      return std::string("the handle ") + (i < 3 ? "moved along " : "turned about ") +
+             std::string(1, "xyz"[i % 3]) + " against the " + (i < 3 ? "force" : "torque") +
+             ": its sign is wrong, or the hand pushed. Hold it loosely and test again";
   if (canBePressed && !wasPressed) return "the button was not pressed";
   return {};
 }

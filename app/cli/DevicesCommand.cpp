@@ -256,10 +256,12 @@ void printForce(const TrialOutcome& trial)
     const bool isForce = i < 3;
     std::string limits;
     for (const std::string& limit : limitsText(axis.limits)) limits += "; " + limit;
+    const std::string against = axis.isAgainst ? " against it" : "";
     const std::string moved =
         axis.moved == 0.0 ? "; the handle did not move: hold it loosely to see the direction"
-        : isForce         ? "; the handle moved " + fixed(axis.moved * 1e3, 2) + " mm"
-                          : "; the handle turned " + fixed(axis.moved * 180.0 / pi, 2) + " degrees";
+        : isForce
+            ? "; the handle moved " + fixed(axis.moved * 1e3, 2) + " mm" + against
+            : "; the handle turned " + fixed(axis.moved * 180.0 / pi, 2) + " degrees" + against;
     const std::string written =
         isForce ? fixed(axis.peak, 2) + " N of " + fixed(trial.greatest, 2) + " N written"
                 : fixed(axis.peak * 1e3, 1) + " mN.m of " + fixed(trial.greatestTorque * 1e3, 1) +

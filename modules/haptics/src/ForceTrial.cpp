@@ -14,6 +14,10 @@ double greatestFor(double ofDevice, double ofTrial) noexcept
   return ofDevice > 0.0 ? std::min(ofTrial, 0.2 * ofDevice) : ofTrial;
 }
 
+/// A hand that holds the handle loosely moves it by less on its own in a second (choices).
+constexpr double clearlyMoved = 0.5e-3;  // [m]
+constexpr double clearlyTurned = 0.02;   // [rad]
+
 /// Limits for a push of this strength [N] or [N.m].
 SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) noexcept
 {
@@ -71,9 +75,14 @@ void ForceTrial::note(const HandState& hand, double wanted, double shown,
     begin_ = placeOf(hand);
     result = {};
     result.isActuated = true;
+    pushed_ = 0.0;
   }
   result.peak = std::max(result.peak, shown);
-  result.moved = std::max(result.moved, std::fabs(placeOf(hand) - begin_));
+  const double moved = placeOf(hand) - begin_;
+  result.moved = std::max(result.moved, std::fabs(moved));
+  pushed_ += shown;
+  if (pushed_ > 0.0) result.leaned += shown / pushed_ * (moved - result.leaned);
+  result.isAgainst = result.leaned < -(axis_ < 3 ? clearlyMoved : clearlyTurned);
   // Only around the middle, where the peak is determined.
   const double greatest = axis_ < 3 ? greatest_ : greatestTorque_;
   if (wanted > 0.5 * greatest && shown < 0.98 * wanted) result.limits |= limits;

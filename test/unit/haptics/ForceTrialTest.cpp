@@ -180,6 +180,38 @@ TEST(ForceTrial, SeesTheHandleMove)
   EXPECT_NEAR(trial.results()[0].moved, 2e-3, 1e-5);
 }
 
+/// A loosely held handle of mass and damping, which gets the force with a factor: 1, or -1 by a wrong sign.
+ForceTrial runOn(double factor)
+{
+  constexpr double mass = 0.1, damping = 2.0;  // [kg], [N.s/m]
+  ForceTrial trial(threeAxes(), timeStep);
+  RestingDevice hand;
+  Eigen::Vector3d at_D = Eigen::Vector3d::Zero(), velocity_D = Eigen::Vector3d::Zero();
+  while (!trial.isOver()) {
+    device::DeviceSample sample = hand.next(true);
+    for (int axis = 0; axis < 3; ++axis)
+      sample.position_D[static_cast<std::size_t>(axis)] += at_D[axis];
+    const device::Wrench wrench = trial.step(sample);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double force = factor * wrench.force_D[static_cast<std::size_t>(axis)];
+      velocity_D[axis] += timeStep * (force - damping * velocity_D[axis]) / mass;
+      at_D[axis] += timeStep * velocity_D[axis];
+    }
+  }
+  return trial;
+}
+
+TEST(ForceTrial, SeesAForceOfTheWrongSign)
+{
+  const ForceTrial right = runOn(1.0), wrong = runOn(-1.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_GT(right.results()[i].leaned, 1e-3) << i;
+    EXPECT_FALSE(right.results()[i].isAgainst) << i;
+    EXPECT_LT(wrong.results()[i].leaned, -1e-3) << i;
+    EXPECT_TRUE(wrong.results()[i].isAgainst) << i;
+  }
+}
+
 TEST(ForceTrial, ShowsNothingUntilTheButtonIsHeld)
 {
   ForceTrial trial(threeAxes(), timeStep);

@@ -12,7 +12,8 @@ std::vector<fs::path> pluginLibraries(const fs::path& folder)
 {
   std::vector<fs::path> found;
   std::error_code failure;
-  fs::recursive_directory_iterator entry(folder, failure);
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                         failure);
   for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
     if (entry.depth() >= 1) entry.disable_recursion_pending();
     std::error_code ignored;

@@ -34,8 +34,11 @@ public:
 
   /// Result of one axis.
   struct Axis {
-    double peak = 0.0;         ///< Maximum force along it [N], or torque about it [N.m].
-    double moved = 0.0;        ///< Motion of the device along or about it meanwhile [m], [rad].
+    double peak = 0.0;   ///< Maximum force along it [N], or torque about it [N.m].
+    double moved = 0.0;  ///< Motion of the device along or about it meanwhile [m], [rad].
+    /// Mean of the motion along or about it, weighted by the force [m], [rad]: negative against it.
+    double leaned = 0.0;
+    bool isAgainst = false;  ///< The handle moved clearly against the force: its sign may be wrong.
     std::uint32_t limits = 0;  ///< What kept the force below the intended one: bits of Status.
     bool isActuated = false;   ///< The device states that it renders it.
     bool isDone = false;       ///< The push was not interrupted.
@@ -68,7 +71,8 @@ private:
   Safety safety_, torqueSafety_;
   int axis_ = 0;
   std::array<Axis, axes> results_;
-  double begin_ = 0.0;  // position along the axis at the beginning of the push [m]
+  double pushed_ = 0.0;  // sum of the forces of the push
+  double begin_ = 0.0;   // position along the axis at the beginning of the push [m]
   Eigen::Quaterniond beginRotation_D_ = Eigen::Quaterniond::Identity();
   double time_ = 0.0;   // within the push [s]
   double spent_ = 0.0;  // on the axis, with every interruption [s]

@@ -27,7 +27,7 @@ struct TickBound {
 /// Empty for a point set, whose work does not vary.
 std::optional<TickBound> measureTickBound(const mechanics::InsertionModel& model);
 
-/// Refuses a model of which a tick can take longer than its time step and than 1 ms, by three measurements,
+/// Refuses a model of which a tick can take longer than its time step and than 1 ms, by five measurements,
 /// with the number of nodes that this machine can bound.
 Result<void> checkTickBound(const mechanics::InsertionModel& model);
 

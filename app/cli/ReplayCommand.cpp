@@ -133,6 +133,10 @@ Result<void> writeThumbnail([[maybe_unused]] const analysis::ForceProfile& profi
                             const ReplayOptions& options)
 {
 #if PERILYMPH_HAS_TOOLKIT
+  std::error_code ignored;
+  if (const auto status = std::filesystem::status(options.thumbnail, ignored);
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return Error{"%1 is not a file. Name one for the picture.", options.thumbnail};
   constexpr double pixelsPerPoint = 3.0;  // of writePicture()
   return charts::writePicture(thumbnailOf(profile, options.size_px / pixelsPerPoint),
                               options.thumbnail);

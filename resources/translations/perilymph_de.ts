@@ -4783,6 +4783,10 @@
         <translation>seine Achsen %1 passen nicht zu den angegebenen Anzahlen: %2 Achsen mit Kraft und %3 mit Drehmoment.</translation>
     </message>
     <message>
+        <source>%1 belongs to a file that had the name %2 before, and would spoil a new one. Move it away, or choose another name.</source>
+        <translation>%1 gehört zu einer Datei, die vorher %2 hieß, und würde eine neue verderben. Verschieben Sie sie, oder wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
         <source>The file of the array %1 was changed since the scenario %2 was read. Read the scenario again.</source>
         <translation>Die Datei des Arrays %1 wurde geändert, seit das Szenario %2 gelesen wurde. Lesen Sie das Szenario erneut.</translation>
     </message>

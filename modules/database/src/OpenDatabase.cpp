@@ -108,6 +108,21 @@ Result<Inspected> inspect(const fs::path& file, const FileKind& kind)
 
 }  // namespace
 
+Result<void> checkNoCompanions(const fs::path& file)
+{
+  for (const char* ending : {"-wal", "-journal"}) {
+    const fs::path companion = file.string() + ending;
+    std::error_code ignored;
+    if (fs::exists(fs::symlink_status(companion, ignored)))
+      return Error{
+          "%1 belongs to a file that had the name %2 before, and would spoil a new one. Move it "
+          "away, "
+          "or choose another name.",
+          companion, file.filename()};
+  }
+  return {};
+}
+
 Result<Database> Database::openNew(const fs::path& file)
 {
   auto content = std::make_unique<Content>();

@@ -11,6 +11,7 @@
 
 #include "ShortScenario.h"
 #include "perilymph/device/ScriptedDevice.h"
+#include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/session/RecordedInsertion.h"
 #include "perilymph/test/TemporaryFolder.h"
 #include "perilymph/test/waitUntil.h"
@@ -101,6 +102,25 @@ TEST(RecordedInVirtualTime, HoldsEveryTickThatRan)
   EXPECT_EQ(recorded->lostRecords(), 0u);
   EXPECT_TRUE(recorded->wasClosed());
   EXPECT_EQ(recorded->facts().device, "Scripted insertion");
+}
+
+TEST(PreparingAnInsertion, RefusesANameWithTheLogOfAFormerFile)
+{
+  const test::TemporaryFolder folder;
+  for (const std::string ending : {"-wal", "-journal"}) {
+    const auto log = folder / ("run.insertion" + ending);
+    ASSERT_TRUE(writeWhole(log, "of a recording that was removed"));
+    const auto refused = Insertion::prepare(test::shortScenario(),
+                                            std::make_unique<device::ScriptedDevice>(2e-3, 1e-3),
+                                            folder / "run.insertion");
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message,
+                testing::AllOf(HasSubstr(ending), HasSubstr("Move it away")));
+    const auto kept = readWhole(log);
+    EXPECT_TRUE(kept && *kept == "of a recording that was removed");
+    EXPECT_FALSE(std::filesystem::exists(folder / "run.insertion"));
+    std::filesystem::remove(log);
+  }
 }
 
 TEST(PreparingAnInsertion, RefusesToRecordOverAFile)

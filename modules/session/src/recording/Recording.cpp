@@ -298,6 +298,7 @@ Result<std::unique_ptr<Recording>> Recording::create(const fs::path& file,
 {
   std::error_code ignored;
   if (fs::exists(fs::symlink_status(file, ignored))) return cannotCreate(file, EEXIST);
+  if (const auto done = database::checkNoCompanions(file); !done) return done.error();
   // Under its name it is whole, whenever the process is killed.
   const fs::path unfinished = unfinishedPath(file);
   const int descriptor =

@@ -55,6 +55,7 @@ Result<void> fillTable(const RecordedInsertion& recorded, const std::filesystem:
 
 Result<void> writeTickTable(const RecordedInsertion& recorded, const std::filesystem::path& file)
 {
+  if (const auto done = database::checkNoCompanions(file); !done) return done.error();
   Result<void> filled;
   const auto written = writeWhole(file, [&](const std::filesystem::path& place) {
     if (!std::ofstream(place, std::ios::binary)) return false;

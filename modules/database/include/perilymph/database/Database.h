@@ -49,6 +49,10 @@ private:
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
+/// Refuses a name beside which the log or the journal of a database lies that had it before: SQLite would
+/// take it for that of the new file, and spoil it.
+Result<void> checkNoCompanions(const std::filesystem::path& file);
+
 /// An open file. One thread at a time.
 class Database {
 public:

@@ -8,6 +8,7 @@
 #include "Interruption.h"
 #include "OutputFolder.h"
 #include "Terminal.h"
+#include "perilymph/analysis/SampleStatistics.h"
 #include "perilymph/validation/ClinicalPrediction.h"
 #include "perilymph/validation/Prediction.h"
 

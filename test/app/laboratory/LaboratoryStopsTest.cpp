@@ -5,13 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "FlatWallScene.h"
 #include "LaboratoryPeer.h"
-#include "StopWays.h"
-#include "gui/run/InsertionControl.h"
-#include "gui/run/SafetyStop.h"
+#include "StopCalls.h"
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/session/Csv.h"
 #include "perilymph/test/waitUntil.h"
@@ -19,20 +15,9 @@
 namespace perilymph::test {
 namespace {
 
+using hidstack::stopCalls;
 using hidstack::stopWays;
 using std::chrono::seconds;
-
-/// The calls of the window, in the order of stopWays.
-std::vector<std::function<void(gui::InsertionControl&, gui::SafetyStop&)>> calls()
-{
-  return {[](auto& control, auto&) { control.pause(); },
-          [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.onPageHidden(); },
-          [](auto&, auto& safety) { safety.loseKeyboard(); },
-          [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.end(); }};
-}
 
 class ALaboratoryDeviceInTheWindow : public testing::TestWithParam<LaboratoryDevice> {
 protected:
@@ -106,10 +91,18 @@ TEST_P(ALaboratoryDeviceInTheWindow, IsToldZeroInEveryWayToStop)
     const bool isLater = std::string(stopWays[way]) == "focus_away";
     const std::int64_t due =
         monotonic() + (isLater ? static_cast<std::int64_t>(1e9 * hidstack::focusTime) : 0);
-    calls()[way](*control_, safety);
+    stopCalls[way](*control_, safety);
     // The window's thread does nothing but wait. A busy machine may take the force away for a moment before.
     ASSERT_TRUE(waitUntil([&] { return monotonic() >= due; }, seconds(10)));
-    ASSERT_TRUE(waitUntil([&] { return peer_.force() == 0.0; }, seconds(10)));
+    // A force may be zero for a moment before the stop takes effect: only one that stays counts.
+    constexpr std::int64_t stays = 50'000'000;  // [ns]
+    std::int64_t since = monotonic();
+    ASSERT_TRUE(waitUntil(
+        [&] {
+          if (peer_.force() != 0.0) since = monotonic();
+          return monotonic() - since > stays;
+        },
+        seconds(10)));
     const std::size_t zero = device.count - 1;
     const bool isOver = std::string(stopWays[way]) == "quit";
     if (!isOver) {

@@ -13,10 +13,8 @@
 #include <vector>
 
 #include "FlatWallScene.h"
-#include "StopWays.h"
+#include "StopCalls.h"
 #include "TickLog.h"
-#include "gui/run/InsertionControl.h"
-#include "gui/run/SafetyStop.h"
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/session/Csv.h"
 #include "virtualDevice.h"
@@ -33,18 +31,6 @@ constexpr int steadyGlances = 5;
 /// Ratio of the force at the handle to that on the array: the handle runs into the wall with all its
 /// force, and the array must not be jammed by it.
 constexpr double strongScale = 20.0;
-
-/// The calls of the window, in the order of stopWays.
-std::vector<std::function<void(gui::InsertionControl&, gui::SafetyStop&)>> calls()
-{
-  return {[](auto& control, auto&) { control.pause(); },
-          [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.onPageHidden(); },
-          [](auto&, auto& safety) { safety.loseKeyboard(); },
-          [](auto&, auto& safety) { safety.stopDevice(); },
-          [](auto&, auto& safety) { safety.end(); }};
-}
 
 /// Lets the window live until something is true. False after `patience`.
 bool waitUntil(gui::InsertionControl& control, const std::function<bool()>& claim)
@@ -78,7 +64,7 @@ Result<void> stop(std::size_t way, gui::InsertionControl& control, std::vector<R
   if (const auto pushed = pushSteadily(control); !pushed) return pushed;
   const bool isLater = std::string(stopWays[way]) == "focus_away";
   const std::int64_t now = realtime::monotonicNanoseconds();
-  calls()[way](control, safety);
+  stopCalls[way](control, safety);
   log.push_back({now + (isLater ? static_cast<std::int64_t>(1e9 * focusTime) : 0),
                  static_cast<std::int64_t>(way)});
   ::poll(nullptr, 0, isLater ? static_cast<int>(1e3 * focusTime) + 100 : 100);

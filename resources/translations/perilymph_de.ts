@@ -10075,6 +10075,22 @@
         <source>The user guide is not installed. It is in the folder resources/guide of the source.</source>
         <translation>Das Handbuch ist nicht installiert. Es liegt im Ordner resources/guide der Quellen.</translation>
     </message>
+    <message>
+        <source>Found in the user guide</source>
+        <translation>Fundstellen im Handbuch</translation>
+    </message>
+    <message>
+        <source>Search the guide (Ctrl+F)</source>
+        <translation>Im Handbuch suchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Words to search in the user guide</source>
+        <translation>Suchwörter für das Handbuch</translation>
+    </message>
+    <message>
+        <source>No page has &quot;%1&quot;. Try one word, such as &quot;depth&quot; or &quot;device&quot;.</source>
+        <translation>Keine Seite enthält „%1“. Versuchen Sie ein Wort wie „Tiefe“ oder „Gerät“.</translation>
+    </message>
 </context>
 <context>
     <name>perilymph::gui::InputSection</name>
@@ -10188,12 +10204,12 @@
         <translation>Ansicht</translation>
     </message>
     <message>
-        <source>Four tutorials, step by step (Shift+F1)</source>
-        <translation>Vier Anleitungen, Schritt für Schritt (Umschalt+F1)</translation>
-    </message>
-    <message>
         <source>CT</source>
         <translation>CT</translation>
+    </message>
+    <message>
+        <source>Five tutorials and a search (Shift+F1)</source>
+        <translation>Fünf Anleitungen und eine Suche (Umschalt+F1)</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,12 @@
 
 #include <QFrame>
 #include <filesystem>
+#include <optional>
+
+#include "gui/shell/GuideSearch.h"
+
+class QLineEdit;
+class QStackedWidget;
 
 namespace perilymph::gui {
 
@@ -24,14 +30,21 @@ public:
 
   /// Shows the first page in the center of the window.
   void open();
+  /// Shows the parts of the guide that have the words; the page again if there are none.
+  void search(const QString& words);
 
 Q_SIGNALS:
   void closeRequested();
 
 private:
   void fit();
+  void openHit(std::size_t number);
 
-  GuideBrowser* page_;
+  QLineEdit* words_;
+  QStackedWidget* sheets_;  // the page and the hits
+  GuideBrowser *page_, *found_;
+  std::optional<GuideSearch> search_;  // read when something is searched
+  std::vector<GuideHit> hits_;
 };
 
 }  // namespace perilymph::gui

@@ -52,7 +52,7 @@ KeyList::KeyList(const KeyActions& actions, QWidget* parent) : QFrame(parent)
   guide->setFont(typeface(13, QFont::Medium));
   guide->setFixedHeight(sized(28));
   guide->setFocusPolicy(Qt::TabFocus);
-  guide->setToolTip(tr("Four tutorials, step by step (Shift+F1)"));
+  guide->setToolTip(tr("Five tutorials and a search (Shift+F1)"));
   connect(guide, &QPushButton::clicked, this, &KeyList::guideRequested);
   auto* content = new QWidget(this);
   columns_ = new QBoxLayout(QBoxLayout::LeftToRight, content);

@@ -90,6 +90,16 @@ Database::Database(Database&&) noexcept = default;
 Database& Database::operator=(Database&&) noexcept = default;
 Database::~Database() = default;
 
+Result<Database> Database::inMemory()
+{
+  auto content = std::make_unique<Content>();
+  sqlite3* opened = nullptr;
+  const int outcome = sqlite3_open(":memory:", &opened);
+  content->database.reset(opened);
+  if (outcome != SQLITE_OK) return Error{"SQLite cannot be set up"};
+  return Database(std::move(content));
+}
+
 const std::string& Database::note() const noexcept { return content_->note; }
 
 std::int64_t Database::version() const noexcept { return content_->version; }

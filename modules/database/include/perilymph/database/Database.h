@@ -56,6 +56,9 @@ Result<void> checkNoCompanions(const std::filesystem::path& file);
 /// An open file. One thread at a time.
 class Database {
 public:
+  /// An empty database in memory, for SQLite's full-text search.
+  static Result<Database> inMemory();
+
   /// Opens an empty file, created by the caller, for writing.
   static Result<Database> openNew(const std::filesystem::path& file);
 

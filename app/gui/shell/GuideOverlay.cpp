@@ -99,8 +99,10 @@ public:
       setTextCursor(QTextCursor(block));
       QTextEdit::ExtraSelection mark;
       mark.cursor = textCursor();
-      mark.format.setBackground(shownTheme().raised);
-      mark.format.setProperty(QTextFormat::FullWidthSelection, true);
+      mark.cursor.select(QTextCursor::BlockUnderCursor);
+      QColor soft = shownTheme().accent;
+      soft.setAlphaF(0.3F);
+      mark.format.setBackground(soft);
       setExtraSelections({mark});
       const QRectF box = document()->documentLayout()->blockBoundingRect(block);
       verticalScrollBar()->setValue(static_cast<int>(box.top()) - spacing);

@@ -191,10 +191,10 @@ std::vector<GuideHit> GuideSearch::find(const QString& text) const
   std::vector<GuideHit> hits;
   if (words.isEmpty()) return hits;
   std::set<std::int64_t> known;
-  const auto add = [&](const char* table, const std::string& expression) {
-    const std::string name(table);
+  const auto add = [&](const std::string& name, const std::string& expression) {
+    const std::string length = name == "piece" ? "64" : "20";  // of the excerpt: letters, or words
     auto rows = index_.prepare("SELECT part.id, part.page, part.place, title, heading, snippet(" +
-                               name + ", 2, char(1), char(2), '…', 20) FROM " + name +
+                               name + ", 2, char(1), char(2), '…', " + length + ") FROM " + name +
                                " JOIN part ON part.id=" + name + ".rowid WHERE " + name +
                                " MATCH ? ORDER BY bm25(" + name +
                                ", 4.0, 8.0, 1.0)*part.worth LIMIT " + std::to_string(maxHits));

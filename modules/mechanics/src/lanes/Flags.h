@@ -22,6 +22,20 @@ PERILYMPH_IN_LANES T flagsOf(const Condition& condition) noexcept
   return oneOf(condition, T(T{} + yes), T{});
 }
 
+/// Stores the flag of a node, or of four, as bytes.
+PERILYMPH_IN_LANES void storeBytes(double flag, std::vector<unsigned char>& to,
+                                   std::size_t i) noexcept
+{
+  to[i] = flag == yes ? 1 : 0;
+}
+PERILYMPH_IN_LANES void storeBytes(const Four& flags, std::vector<unsigned char>& to,
+                                   std::size_t i) noexcept
+{
+  using Bytes [[gnu::vector_size(4)]] = unsigned char;
+  const Bytes bytes = __builtin_convertvector(flags, Bytes);
+  std::memcpy(to.data() + i, &bytes, sizeof bytes);
+}
+
 /// Calls a function for each node whose flag is `value`.
 template <class Function>
 void forEachNode(const Flags& flags, double value, const Function& function) noexcept

@@ -199,6 +199,16 @@ PERILYMPH_IN_LANES Four laneByLane(const Four& a, const Four& b, const Function&
               function(a[3], b[3])};
 }
 
+/// The values of a function of a node, or of four nodes, for what is not stored node by node as numbers.
+template <class T, class Function>
+PERILYMPH_IN_LANES T ofEachNode(std::size_t i, const Function& function) noexcept
+{
+  if constexpr (sizeof(T) == sizeof(double))
+    return function(i);
+  else
+    return T{function(i), function(i + 1), function(i + 2), function(i + 3)};
+}
+
 template <class T>
 PERILYMPH_IN_LANES Triple<T> operator+(const Triple<T>& a, const Triple<T>& b) noexcept
 {

@@ -73,7 +73,7 @@ void read(const InsertionModel& model, InsertionState& state, const Wrench& wren
   r.contacts = 0;
   r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
   for (std::size_t k = 0; k < work.contacts.touches; ++k) {
-    const std::size_t i = work.contacts.touching[k].node;
+    const std::size_t i = work.contacts.touching[k];
     const double force = state.normalForce[i];
     if (!(force > 0.0)) continue;
     ++r.contacts;

@@ -93,7 +93,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
   for (; triesLeft(law, work.done) > 0 && now.maxNorm > law.atRest; ++iterations) {
     if (!factors.exist()) {
       Compression compression = Compression::included;
-      if (!factorize(model, base, compression, work)) break;
+      if (!factorize(model, state, base, compression, work)) break;
       areOwn = true;
     }
     const double longest = solveLinearSystem(work.system);

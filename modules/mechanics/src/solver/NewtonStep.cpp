@@ -72,17 +72,17 @@ double directionalDerivativeAt(LinearSystem& system, double alpha) noexcept
   return sum;
 }
 
-bool factorize(const InsertionModel& model, const Base& base, Compression& compression,
-               RodWorkspace& work) noexcept
+bool factorize(const InsertionModel& model, const InsertionState& state, const Base& base,
+               Compression& compression, RodWorkspace& work) noexcept
 {
   if (compression == Compression::included) {
     ++work.done.factorizations;
-    assembleStiffness(model, base, compression, work);
+    assembleStiffness(model, state, base, compression, work);
     if (work.system.factors.factorize(work.system.matrix)) return true;
     compression = Compression::leftOut;
   }
   ++work.done.factorizations;
-  assembleStiffness(model, base, compression, work);
+  assembleStiffness(model, state, base, compression, work);
   return work.system.factors.factorize(work.system.matrix);
 }
 

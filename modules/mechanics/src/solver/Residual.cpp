@@ -122,13 +122,13 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   return normsOf(work.system.right);
 }
 
-void assembleStiffness(const InsertionModel& model, const Base& base, Compression compression,
-                       RodWorkspace& work) noexcept
+void assembleStiffness(const InsertionModel& model, const InsertionState& state, const Base& base,
+                       Compression compression, RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   BandMatrix& matrix = work.system.matrix;
   setRodStiffness(model, compression, work.section, work.rod, work.joints, matrix);
-  addWallStiffness(work.contacts, work.friction, matrix);
+  addWallStiffness(state, model.film.fraction > 0.0, work.contacts, work.friction, matrix);
   addRimStiffness(model, work.contacts, matrix);
   addGuideStiffness(model, work.guide, matrix);
   for (std::size_t i = 2; i < n; ++i)

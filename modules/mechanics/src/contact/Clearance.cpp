@@ -71,12 +71,18 @@ void followWalls(const StepStart& start, const InsertionState& state, ContactSet
     store(squaredMotion, contacts.squaredMotion, i);
     const T clearance = load<T>(state.clearance, i);
     const T trust = load<T>(contacts.seen.trustRadius, i);
-    const FollowedWall<T> wall(contacts.seen, at_W, i);
     const auto isAway = squaredMotion < clearance * clearance;
+    const auto isFree = load<T>(contacts.isBeside, i) == no;
+    if (inAll(isAway & isFree)) {
+      store(T(T{} + yes), contacts.isFollowed, i);
+      store(T{}, contacts.isNear, i);
+      store(T{}, contacts.isKnown, i);
+      return;
+    }
+    const FollowedWall<T> wall(contacts.seen, at_W, i);
     const auto isSeen = (trust > 0.0) & (wall.squared < trust * trust);
     store(oneOf(isSeen, wall.distance, load<T>(contacts.distance, i)), contacts.distance, i);
     store(oneOf(isSeen, wall.normal_W, load<T>(contacts.normal_W, i)), contacts.normal_W, i);
-    const auto isFree = load<T>(contacts.isBeside, i) == no;
     const auto isFollowed = isFree & (isAway | isSeen);
     const T isNear = flagsOf<T>(isSeen & (isAway == 0));
     store(flagsOf<T>(isFollowed), contacts.isFollowed, i);
@@ -148,8 +154,9 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
   contacts.isFollowed[tip] = no;
   std::ranges::fill(contacts.isRequested, no);
   if (model.membrane)
-    for (std::size_t i = 0; i < tip; ++i)
-      if (contacts.isFollowed[i] == yes && contacts.isNear[i] == yes) follow(i);
+    forEachNode(contacts.isNear, yes, [&](std::size_t i) {
+      if (contacts.isFollowed[i] == yes) follow(i);
+    });
   forEachNode(contacts.isFollowed, no, [&](std::size_t i) {
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);

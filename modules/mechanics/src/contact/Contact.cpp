@@ -203,8 +203,7 @@ PERILYMPH_IN_LANES void rub(const InsertionModel& model, InsertionState& state,
     const Triple<T> film = load<T>(state.frictionFilm_W, i);
     film_W = film_W + (film - dot(normal_W, film) * normal_W);
   }
-  const T slid =
-      ofEachNode<T>(i, [&](std::size_t node) { return state.isSliding[node] != 0 ? yes : no; });
+  const T slid = loadBytes<T>(state.isSliding, i);
   const FrictionOf<T> friction =
       frictionWithFilmAt<T>(slip + spring - dot(normal_W, spring) * normal_W, film_W,
                             load<T>(history.pressedBefore, i), load<T>(model.wallTangential, i),

@@ -144,7 +144,7 @@ void setNearPlane(const InsertionModel& model, ContactSet& contacts) noexcept
 void findWall(const InsertionModel& model, const StepStart& start, InsertionState& state,
               ContactSet& contacts) noexcept
 {
-  const std::size_t n = state.position_W.size(), tip = n - 1;
+  const std::size_t tip = state.position_W.size() - 1;
   followWalls(start, state, contacts);
   // the tip's angle is a reading, and the place of a membrane depends on it
   const auto follow = [&](std::size_t i) {
@@ -152,11 +152,21 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
   };
   contacts.squaredMotion[tip] = (state.position_W[tip] - start.position_W[tip]).squaredNorm();
   contacts.isFollowed[tip] = no;
-  std::ranges::fill(contacts.isRequested, no);
   if (model.membrane)
     forEachNode(contacts.isNear, yes, [&](std::size_t i) {
       if (contacts.isFollowed[i] == yes) follow(i);
     });
+  // neighboring nodes in one query
+  std::size_t first = 0, end = 0;
+  const auto query = [&] {
+    if (first == end) return;
+    const std::size_t count = end - first;
+    model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
+                                   std::span(contacts.reach).subspan(first, count),
+                                   std::span(state.track).subspan(first, count),
+                                   std::span(contacts.wall).subspan(first, count));
+    for (std::size_t i = first; i < end; ++i) keepSeen(state.position_W[i], i, contacts);
+  };
   forEachNode(contacts.isFollowed, no, [&](std::size_t i) {
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);
@@ -166,25 +176,16 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
       if (i == tip || model.membrane) follow(i);
       return;
     }
-    contacts.isRequested[i] = yes;
     contacts.isKnown[i] = yes;
     contacts.wall[i].isNear = false;
     contacts.wall[i].trustRadius = 0.0;
+    if (i != end) {
+      query();
+      first = i;
+    }
+    end = i + 1;
   });
-
-  // neighboring nodes in one query
-  std::size_t asked = 0;  // up to here
-  forEachNode(contacts.isRequested, yes, [&](std::size_t first) {
-    if (first < asked) return;
-    std::size_t count = 1;
-    while (first + count < n && contacts.isRequested[first + count] == yes) ++count;
-    model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
-                                   std::span(contacts.reach).subspan(first, count),
-                                   std::span(state.track).subspan(first, count),
-                                   std::span(contacts.wall).subspan(first, count));
-    asked = first + count;
-    for (std::size_t i = first; i < asked; ++i) keepSeen(state.position_W[i], i, contacts);
-  });
+  query();
 }
 
 void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept

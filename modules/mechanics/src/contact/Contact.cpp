@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
@@ -253,11 +254,12 @@ SymmetricBlock<double> stiffnessOf(const InsertionState& state, bool hasFilm, st
 void removeContacts(bool isOval, ContactSet& contacts, InsertionState& state,
                     FrictionHistory& history) noexcept
 {
-  for (std::size_t k = 0; k < contacts.touches; ++k) {
-    const std::size_t i = contacts.touching[k];
-    state.wallForce_W[i].setZero();
-    history.spring_W[i].setZero();
-    history.film_W[i].setZero();
+  Eigen::Vector3d* force_W = state.wallForce_W.data();
+  Eigen::Vector3d *spring_W = history.spring_W.data(), *film_W = history.film_W.data();
+  for (const std::size_t i : std::span(contacts.touching).first(contacts.touches)) {
+    force_W[i].setZero();
+    spring_W[i].setZero();
+    film_W[i].setZero();
   }
   contacts.touches = 0;
   std::ranges::fill(history.isSliding, 0);

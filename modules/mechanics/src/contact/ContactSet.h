@@ -66,7 +66,6 @@ struct ContactSet {
         height(nodes),
         squaredMotion(nodes),
         isBeside(nodes),
-        isRequested(nodes),
         isKnown(nodes),
         isNear(nodes),
         isFollowed(nodes),
@@ -90,7 +89,6 @@ struct ContactSet {
   std::vector<double> height;         ///< Height of each node above the opening [m].
   std::vector<double> squaredMotion;  ///< Squared motion of each node in this step [m^2].
   Flags isBeside;                     ///< InsertionState::isBeside.
-  Flags isRequested;                  ///< Whether the lumen was queried for each node.
   Flags isKnown;                      ///< Whether the wall was found in this step.
   Flags isNear;                       ///< Whether the wall is within reach of each node.
   Flags isFollowed;                   ///< Whether `seen` or the clearance told that.

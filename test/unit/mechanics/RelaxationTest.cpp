@@ -56,7 +56,8 @@ TEST(Relaxation, OfABendThatIsHeldFallsByTheFactorOfBackwardEuler)
           Eigen::AngleAxisd(static_cast<double>(i) * angle, Eigen::Vector3d::UnitY()) * curl;
     const auto force = [&](const InsertionModel& of) {
       setStiffness(of, 0.0, 1.0, work.section);
-      setRestShape(of, state.position_W, curl, work.section, work.rod);
+      setEdges(state.position_W, work.rod);
+      setRestShape(of, curl, work.section, work.rod);
       if (of.twists) {
         setHeldBend(of, state, work.section);
         turnMaterial(of, curl, work.section, state, work.rod, work.twist);

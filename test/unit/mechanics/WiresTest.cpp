@@ -61,7 +61,8 @@ public:
   /// One step to the arc with this bend at every node; returns the moment there [N.m].
   double stepTo(double bend)
   {
-    setRestShape(*model_, state_.position_W, curl_, work_.section, work_.rod);
+    setEdges(state_.position_W, work_.rod);
+    setRestShape(*model_, curl_, work_.section, work_.rod);
     if (work_.section.holds) {
       setHeldBend(*model_, state_, work_.section);
       turnMaterial(*model_, curl_, work_.section, state_, work_.rod, work_.twist);
@@ -214,7 +215,8 @@ TEST(Stylet, TakesItsPlasticBendAlongWithoutGainingEnergy)
   InsertionState state(*built);
   RodWorkspace& work = state.workspace->rod;
   setStiffness(*built, 0.0, 0.0, work.section);
-  setRestShape(*built, state.position_W, built->startCurl_W, work.section, work.rod);
+  setEdges(state.position_W, work.rod);
+  setRestShape(*built, built->startCurl_W, work.section, work.rod);
   MaterialBend& plastic = state.plasticBend.back();
   // the rod is straight: a bend is what the stylet is bent against itself
   for (std::size_t i = 0; i < plastic.along.size(); ++i)

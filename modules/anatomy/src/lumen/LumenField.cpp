@@ -7,6 +7,7 @@
 #include "lumen/TrustRadius.h"
 #include "numerics/CubicBlock.h"
 #include "numerics/CubicTable.h"
+#include "perilymph/foundation/Four.h"
 #include "perilymph/foundation/Math.h"
 
 namespace perilymph::anatomy {
@@ -103,15 +104,17 @@ LumenField::Unrolled LumenField::unroll(const Eigen::Vector3d& point_W,
   at.section = section;
 
   // center, half width and half height of the section, and their slopes by the angle
-  double value[4] = {0.0, 0.0, 0.0, 0.0};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double* row = along_[section + k].data();
-    for (std::size_t c = 0; c < 4; ++c) {
-      value[c] += at.weights.value[k] * row[c];
-      at.slope[c] += at.weights.slope[k] * row[c];
+  double value[4];
+  withLanes([&]() PERILYMPH_KERNEL {
+    Four sums{}, slopes{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Four row = load<Four>(along_[section + k].data(), 0);
+      sums += at.weights.value[k] * row;
+      slopes += at.weights.slope[k] * row;
     }
-  }
-  for (double& slope : at.slope) slope *= perSection_;
+    store(sums, value, 0);
+    store(Four{slopes * perSection_}, at.slope, 0);
+  });
   at.width = value[halfWidth];
   at.height = value[halfHeight];
   const double perWidth = 1.0 / at.width;
@@ -275,10 +278,13 @@ void LumenField::setHessian(const LumenTrack& track, const Unrolled& at, const C
     hessian = fpp * at.byP * at.byP.transpose() + fqq * at.byQ * at.byQ.transpose() +
               fpq * (at.byP * at.byQ.transpose() + at.byQ * at.byP.transpose());
   } else {
-    double bend[4] = {};  // second derivatives of center, half width and half height
-    for (std::size_t k = 0; k < 4; ++k)
-      for (std::size_t c = 0; c < 4; ++c) bend[c] += at.weights.bend[k] * along_[at.section + k][c];
-    for (double& value : bend) value *= perSection_ * perSection_;
+    double bend[4];  // second derivatives of center, half width and half height
+    withLanes([&]() PERILYMPH_KERNEL {
+      Four sums{};
+      for (std::size_t k = 0; k < 4; ++k)
+        sums += at.weights.bend[k] * load<Four>(along_[at.section + k].data(), 0);
+      store(Four{sums * (perSection_ * perSection_)}, bend, 0);
+    });
     const double fa = perSection_ * spline.byA;
     const double fap = perSection_ * s * spline.byAp, faq = perSection_ * s * spline.byAq;
     const double faa = perSection_ * perSection_ * spline.byAa;

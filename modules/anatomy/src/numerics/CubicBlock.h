@@ -7,35 +7,25 @@
 #include <cstring>
 
 #include "numerics/CubicTable.h"
+#include "perilymph/foundation/Four.h"
 
 namespace perilymph::anatomy {
 
-/// Four neighbors along the last axis, in two SSE2 registers, which every x86-64 processor has.
-struct FourNeighbors {
-  using Two [[gnu::vector_size(16)]] = double;
+/// Four neighbors along the last axis.
+PERILYMPH_IN_LANES Four fourNeighbors(const float* first) noexcept
+{
+  using FourFloats [[gnu::vector_size(16)]] = float;
+  FourFloats values;
+  std::memcpy(&values, first, sizeof values);
+  return __builtin_convertvector(values, Four);
+}
 
-  Two low{}, high{};
-
-  /// Adds weight times four consecutive values.
-  void add(double weight, const FourNeighbors& other) noexcept
-  {
-    low += weight * other.low;
-    high += weight * other.high;
-  }
-  static FourNeighbors load(const float* first) noexcept
-  {
-    const double values[4] = {first[0], first[1], first[2], first[3]};
-    FourNeighbors four;
-    std::memcpy(&four.low, values, sizeof four.low);
-    std::memcpy(&four.high, values + 2, sizeof four.high);
-    return four;
-  }
-  double weighted(const double weights[4]) const noexcept
-  {
-    const Two sums = low * Two{weights[0], weights[1]} + high * Two{weights[2], weights[3]};
-    return sums[0] + sums[1];
-  }
-};
+/// Their sum with weights: the first and the third, the second and the fourth, then both.
+PERILYMPH_IN_LANES double weighted(const Four& values, const Four& weights) noexcept
+{
+  const Four products = values * weights;
+  return (products[0] + products[2]) + (products[1] + products[3]);
+}
 
 /// Value and derivatives of the spline by the indices of its axes: a, p and q, the last contiguous.
 struct CubicBlock {
@@ -47,32 +37,41 @@ struct CubicBlock {
   CubicBlock(const float* corner, std::size_t aStep, std::size_t pStep, const CubicWeights& a,
              const CubicWeights& p, const CubicWeights& q) noexcept
   {
-    FourNeighbors sum, sumByA, sumByP, sumByAa, sumByAp, sumByPp;
+    withLanes([&]() PERILYMPH_KERNEL { set(corner, aStep, pStep, a, p, q); });
+  }
+
+private:
+  PERILYMPH_IN_LANES void set(const float* corner, std::size_t aStep, std::size_t pStep,
+                              const CubicWeights& a, const CubicWeights& p,
+                              const CubicWeights& q) noexcept
+  {
+    Four sum{}, sumByA{}, sumByP{}, sumByAa{}, sumByAp{}, sumByPp{};
     for (std::size_t j = 0; j < 4; ++j) {
-      FourNeighbors here, slope, bend;
+      Four here{}, slope{}, bend{};
       for (std::size_t i = 0; i < 4; ++i) {
-        const FourNeighbors row = FourNeighbors::load(corner + i * aStep + j * pStep);
-        here.add(a.value[i], row);
-        slope.add(a.slope[i], row);
-        bend.add(a.bend[i], row);
+        const Four row = fourNeighbors(corner + i * aStep + j * pStep);
+        here += a.value[i] * row;
+        slope += a.slope[i] * row;
+        bend += a.bend[i] * row;
       }
-      sum.add(p.value[j], here);
-      sumByP.add(p.slope[j], here);
-      sumByPp.add(p.bend[j], here);
-      sumByA.add(p.value[j], slope);
-      sumByAp.add(p.slope[j], slope);
-      sumByAa.add(p.value[j], bend);
+      sum += p.value[j] * here;
+      sumByP += p.slope[j] * here;
+      sumByPp += p.bend[j] * here;
+      sumByA += p.value[j] * slope;
+      sumByAp += p.slope[j] * slope;
+      sumByAa += p.value[j] * bend;
     }
-    value = sum.weighted(q.value);
-    byA = sumByA.weighted(q.value);
-    byP = sumByP.weighted(q.value);
-    byQ = sum.weighted(q.slope);
-    byAa = sumByAa.weighted(q.value);
-    byAp = sumByAp.weighted(q.value);
-    byAq = sumByA.weighted(q.slope);
-    byPp = sumByPp.weighted(q.value);
-    byPq = sumByP.weighted(q.slope);
-    byQq = sum.weighted(q.bend);
+    const Four byValue = load<Four>(q.value, 0), bySlope = load<Four>(q.slope, 0);
+    value = weighted(sum, byValue);
+    byA = weighted(sumByA, byValue);
+    byP = weighted(sumByP, byValue);
+    byQ = weighted(sum, bySlope);
+    byAa = weighted(sumByAa, byValue);
+    byAp = weighted(sumByAp, byValue);
+    byAq = weighted(sumByA, bySlope);
+    byPp = weighted(sumByPp, byValue);
+    byPq = weighted(sumByP, bySlope);
+    byQq = weighted(sum, load<Four>(q.bend, 0));
   }
 };
 

@@ -71,12 +71,18 @@ void followWalls(const StepStart& start, const InsertionState& state, ContactSet
     store(squaredMotion, contacts.squaredMotion, i);
     const T clearance = load<T>(state.clearance, i);
     const T trust = load<T>(contacts.seen.trustRadius, i);
-    const FollowedWall<T> wall(contacts.seen, at_W, i);
     const auto isAway = squaredMotion < clearance * clearance;
+    const auto isFree = load<T>(contacts.isBeside, i) == no;
+    if (inAll(isAway & isFree)) {
+      store(T(T{} + yes), contacts.isFollowed, i);
+      store(T{}, contacts.isNear, i);
+      store(T{}, contacts.isKnown, i);
+      return;
+    }
+    const FollowedWall<T> wall(contacts.seen, at_W, i);
     const auto isSeen = (trust > 0.0) & (wall.squared < trust * trust);
     store(oneOf(isSeen, wall.distance, load<T>(contacts.distance, i)), contacts.distance, i);
     store(oneOf(isSeen, wall.normal_W, load<T>(contacts.normal_W, i)), contacts.normal_W, i);
-    const auto isFree = load<T>(contacts.isBeside, i) == no;
     const auto isFollowed = isFree & (isAway | isSeen);
     const T isNear = flagsOf<T>(isSeen & (isAway == 0));
     store(flagsOf<T>(isFollowed), contacts.isFollowed, i);
@@ -138,7 +144,7 @@ void setNearPlane(const InsertionModel& model, ContactSet& contacts) noexcept
 void findWall(const InsertionModel& model, const StepStart& start, InsertionState& state,
               ContactSet& contacts) noexcept
 {
-  const std::size_t n = state.position_W.size(), tip = n - 1;
+  const std::size_t tip = state.position_W.size() - 1;
   followWalls(start, state, contacts);
   // the tip's angle is a reading, and the place of a membrane depends on it
   const auto follow = [&](std::size_t i) {
@@ -146,10 +152,21 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
   };
   contacts.squaredMotion[tip] = (state.position_W[tip] - start.position_W[tip]).squaredNorm();
   contacts.isFollowed[tip] = no;
-  std::ranges::fill(contacts.isRequested, no);
   if (model.membrane)
-    for (std::size_t i = 0; i < tip; ++i)
-      if (contacts.isFollowed[i] == yes && contacts.isNear[i] == yes) follow(i);
+    forEachNode(contacts.isNear, yes, [&](std::size_t i) {
+      if (contacts.isFollowed[i] == yes) follow(i);
+    });
+  // neighboring nodes in one query
+  std::size_t first = 0, end = 0;
+  const auto query = [&] {
+    if (first == end) return;
+    const std::size_t count = end - first;
+    model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
+                                   std::span(contacts.reach).subspan(first, count),
+                                   std::span(state.track).subspan(first, count),
+                                   std::span(contacts.wall).subspan(first, count));
+    for (std::size_t i = first; i < end; ++i) keepSeen(state.position_W[i], i, contacts);
+  };
   forEachNode(contacts.isFollowed, no, [&](std::size_t i) {
     if (state.isBeside[i] != 0) {
       seeBone(model, state, i, contacts);
@@ -159,25 +176,16 @@ void findWall(const InsertionModel& model, const StepStart& start, InsertionStat
       if (i == tip || model.membrane) follow(i);
       return;
     }
-    contacts.isRequested[i] = yes;
     contacts.isKnown[i] = yes;
     contacts.wall[i].isNear = false;
     contacts.wall[i].trustRadius = 0.0;
+    if (i != end) {
+      query();
+      first = i;
+    }
+    end = i + 1;
   });
-
-  // neighboring nodes in one query
-  std::size_t asked = 0;  // up to here
-  forEachNode(contacts.isRequested, yes, [&](std::size_t first) {
-    if (first < asked) return;
-    std::size_t count = 1;
-    while (first + count < n && contacts.isRequested[first + count] == yes) ++count;
-    model.parts.lumen->nearestWall(std::span(state.position_W).subspan(first, count),
-                                   std::span(contacts.reach).subspan(first, count),
-                                   std::span(state.track).subspan(first, count),
-                                   std::span(contacts.wall).subspan(first, count));
-    asked = first + count;
-    for (std::size_t i = first; i < asked; ++i) keepSeen(state.position_W[i], i, contacts);
-  });
+  query();
 }
 
 void findBone(const InsertionModel& model, InsertionState& state, ContactSet& contacts) noexcept

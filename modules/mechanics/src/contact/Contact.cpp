@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
-#include "friction/FrictionStep.h"
+#include "friction/FrictionKernel.h"
 #include "lanes/Flags.h"
 #include "rod/Rod.h"
 
@@ -68,111 +69,184 @@ SymmetricBlock<double> asBlock(const Eigen::Matrix3d& m) noexcept
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
-/// Fraction of its stiffness with which the wall acts on a node at a depth behind the opening. What an
-/// array that is too thick for the duct pays there: Mouth.h. Bone beside the opening has no edge.
-double wallFraction(double inside, bool isBeside, const InsertionModel& model) noexcept
+/// Depth of a node, or of four, behind the opening: anatomy::behindOpening().
+template <class T>
+PERILYMPH_IN_LANES T depthBehind(const anatomy::Entry& entry, const InsertionState& state,
+                                 std::size_t i) noexcept
 {
-  const double edge = isBeside ? 0.0 : model.parts.wall.edge.si();
-  if (!(edge > 0.0)) return std::clamp(inside / model.spacing, 0.0, 1.0);
-  const double part = std::clamp(inside / edge, 0.0, 1.0);
-  return part * part;
+  const Triple<T> at_W = load<T>(state.position_W, i);
+  const Eigen::Vector3d &origin_W = entry.origin_W, &out_W = entry.out_W;
+  const T behind = (origin_W[0] - at_W.x) * out_W[0] + (origin_W[1] - at_W.y) * out_W[1] +
+                   (origin_W[2] - at_W.z) * out_W[2];
+  const T isBehind = ofEachNode<T>(
+      i, [&](std::size_t node) { return state.track[node].isNearOpening() ? no : yes; });
+  return oneOf(isBehind == yes, larger(behind, 10e-3), behind);
 }
 
-/// Normal force of the wall on a node near it, if they touch.
-void normalContact(const InsertionModel& model, InsertionState& state, const RodKinematics& rod,
-                   std::size_t i, ContactSet& contacts, TouchingNode& touching) noexcept
+/// Stiffness of the wall at a node, or at four, which begins behind the opening. What an array that is
+/// too thick for the duct pays there: Mouth.h. Bone beside the opening has no edge.
+template <class T>
+PERILYMPH_IN_LANES T stiffnessBehind(const InsertionModel& model, const InsertionState& state,
+                                     const ContactSet& contacts, std::size_t i) noexcept
 {
-  const Eigen::Vector3d& at_W = state.position_W[i];
-  double half = model.radius[i];
-  const Eigen::Vector3d gradient_W = contacts.normal_W[i];
+  const double edge = model.parts.wall.edge.si();
+  const T inside = depthBehind<T>(model.entry, state, i);
+  const T beside = smaller(larger(T(inside / model.spacing), 0.0), 1.0);
+  T fraction = beside;
+  if (edge > 0.0) {
+    const T part = smaller(larger(T(inside / edge), 0.0), 1.0);
+    fraction = oneOf(load<T>(contacts.isBeside, i) == yes, beside, T(part * part));
+  }
+  return fraction * load<T>(model.wallStiffness, i);
+}
+
+/// NormalForce of a node, or of four, that is pressed.
+template <class T>
+struct Push {
+  T force, slope;
+};
+
+template <class T>
+PERILYMPH_IN_LANES Push<T> pushAt(const T& penetration, const T& stiffness, double onset) noexcept
+{
+  const auto isSoft = penetration < onset;
+  return {oneOf(isSoft, T(0.5 * stiffness * penetration * penetration / onset),
+                T(stiffness * (penetration - 0.5 * onset))),
+          oneOf(isSoft, T(stiffness * penetration / onset), stiffness)};
+}
+
+/// Finds the reach of an oval section toward the wall.
+void findHalf(const InsertionModel& model, const InsertionState& state, const RodKinematics& rod,
+              std::size_t i, ContactSet& contacts) noexcept
+{
+  contacts.half[i] = model.radius[i];
   // bone beside the opening supports the center line, whatever the orientation of the section
-  const bool isOval = model.isOval && state.isBeside[i] == 0;
-  if (isOval) {
-    SectionReach& reach = contacts.section[i];
-    if (!reach.isKnown) reach = reachToward(model, state, rod, i, gradient_W, state.section[i]);
-    half = reach.length;
-  }
-  const double penetration = half - contacts.distance[i];
-  if (penetration <= 0.0) return;
-  const double onset = model.parts.wall.lining.si();
-
-  const double fraction = wallFraction(anatomy::behindOpening(model.entry, at_W, state.track[i]),
-                                       state.isBeside[i] != 0, model);
-  NormalForce push = normalForce(penetration, fraction * model.wallStiffness[i], onset);
-  Eigen::Vector3d& force_W = state.wallForce_W[i];
-  state.membraneForce[i] = contacts.wall[i].onMembrane ? push.force : 0.0;
-  if (model.membrane) {
-    const MembraneFraction membrane =
-        model.membrane->fractionAt(at_W, model.radius[i], state.track[i], gradient_W);
-    const SoftContactForce soft = softContactForce(penetration, fraction * model.wallStiffness[i],
-                                                   membrane.fraction, model.parts);
-    push = soft.normal;
-    state.membraneForce[i] = soft.onMembrane;
-    force_W -= soft.byFraction * membrane.gradient_W;
-  }
-  force_W += push.force * gradient_W;
-  if (isOval) {
-    // The torque on a section derives from the same energy; the second derivative of its reach is
-    // at most its own excess.
-    const double rate = contacts.section[i].rate;
-    state.wallTorque[i] = {-push.force * rate,
-                           push.slope * rate * rate +
-                               push.force * std::fabs(model.halfWithin[i] - model.halfAcross[i])};
-  }
-
-  touching.isPressed = true;
-  touching.push = push;
-  state.normalForce[i] = push.force;
-  const double steep = gradient_W.norm();
-  state.wallNormal_W[i] =
-      steep > 1e-6 ? Eigen::Vector3d(gradient_W / steep) : Eigen::Vector3d::Zero();
+  if (state.isBeside[i] != 0) return;
+  SectionReach& reach = contacts.section[i];
+  if (!reach.isKnown)
+    reach = reachToward(model, state, rod, i, contacts.normal_W[i], state.section[i]);
+  contacts.half[i] = reach.length;
 }
 
-/// Friction on a node that touched the wall at the end of the last step. Its bound is the total
-/// pressure, even where the forces of two walls cancel.
-void friction(const InsertionModel& model, InsertionState& state, const StepStart& start,
-              TouchingNode& touching, FrictionHistory& history) noexcept
+/// Normal force of the wall on a node, or on four: of those of `mayPress` that touch it.
+template <class T, class Condition>
+PERILYMPH_IN_LANES void press(const InsertionModel& model, InsertionState& state,
+                              const Condition& mayPress, std::size_t i,
+                              ContactSet& contacts) noexcept
 {
-  const std::size_t i = touching.node;
-  const Eigen::Vector3d& normal_W = history.normalBefore_W[i];
-  const Eigen::Vector3d moved = state.position_W[i] - start.position_W[i];
-  const Eigen::Vector3d slip = moved - normal_W * normal_W.dot(moved);
-  const Eigen::Vector3d& spring = state.frictionSpring_W[i];
-  Eigen::Vector3d film_W = slip;
-  if (!state.frictionFilm_W.empty()) {
-    const Eigen::Vector3d& film = state.frictionFilm_W[i];
-    film_W += film - normal_W * normal_W.dot(film);
+  const T half = load<T>(model.isOval ? contacts.half : model.radius, i);
+  const T penetration = half - load<T>(contacts.distance, i);
+  const auto isPressed = mayPress & ((penetration <= 0.0) == 0);
+  store(flagsOf<T>(isPressed), contacts.isPressed, i);
+  if (!inAny(isPressed)) return;
+  const T stiffness = stiffnessBehind<T>(model, state, contacts, i);
+  const Push<T> push = pushAt(penetration, stiffness, model.parts.wall.lining.si());
+  const Triple<T> gradient_W = load<T>(contacts.normal_W, i);
+  const T onMembrane =
+      ofEachNode<T>(i, [&](std::size_t node) { return contacts.wall[node].onMembrane ? yes : no; });
+  const T force = oneOf(isPressed, push.force, T{});
+  store(force, state.normalForce, i);
+  store(push.slope, contacts.slope, i);
+  store(oneOf(onMembrane == yes, force, T{}), state.membraneForce, i);
+  store(oneOf(isPressed, Triple<T>{} + push.force * gradient_W, Triple<T>{}), state.wallForce_W, i);
+  const T steep = root(dot(gradient_W, gradient_W));
+  const Triple<T> unit{gradient_W.x / steep, gradient_W.y / steep, gradient_W.z / steep};
+  const Triple<T> normal_W = oneOf(steep > 1e-6, unit, Triple<T>{});
+  store(oneOf(isPressed, normal_W, load<T>(state.wallNormal_W, i)), state.wallNormal_W, i);
+}
+
+/// The force of a wall that is partly membrane, in place of that on bone.
+void pressMembrane(const InsertionModel& model, InsertionState& state, std::size_t i,
+                   ContactSet& contacts) noexcept
+{
+  const double half = model.isOval ? contacts.half[i] : model.radius[i];
+  const Eigen::Vector3d gradient_W = contacts.normal_W[i];
+  const MembraneFraction membrane =
+      model.membrane->fractionAt(state.position_W[i], model.radius[i], state.track[i], gradient_W);
+  const SoftContactForce soft = softContactForce(half - contacts.distance[i],
+                                                 stiffnessBehind<double>(model, state, contacts, i),
+                                                 membrane.fraction, model.parts);
+  state.membraneForce[i] = soft.onMembrane;
+  state.normalForce[i] = soft.normal.force;
+  contacts.slope[i] = soft.normal.slope;
+  Eigen::Vector3d& force_W = state.wallForce_W[i];
+  force_W.setZero();
+  force_W -= soft.byFraction * membrane.gradient_W;
+  force_W += soft.normal.force * gradient_W;
+}
+
+/// The torque on an oval section derives from the same energy; the second derivative of its reach is at
+/// most its own excess.
+void turnSection(const InsertionModel& model, InsertionState& state, std::size_t i,
+                 const ContactSet& contacts) noexcept
+{
+  if (state.isBeside[i] != 0) return;
+  const double rate = contacts.section[i].rate, force = state.normalForce[i];
+  state.wallTorque[i] = {-force * rate,
+                         contacts.slope[i] * rate * rate +
+                             force * std::fabs(model.halfWithin[i] - model.halfAcross[i])};
+}
+
+/// Friction on a node, or on four, that touched the wall at the end of the last step. Its bound is the
+/// total pressure, even where the forces of two walls cancel.
+template <class T, class Condition>
+PERILYMPH_IN_LANES void rub(const InsertionModel& model, InsertionState& state,
+                            const StepStart& start, const Condition& hasFriction, std::size_t i,
+                            const ContactSet& contacts, FrictionHistory& history) noexcept
+{
+  const Triple<T> normal_W = load<T>(history.normalBefore_W, i);
+  const Triple<T> moved = load<T>(state.position_W, i) - load<T>(start.position_W, i);
+  const Triple<T> slip = moved - dot(normal_W, moved) * normal_W;
+  const Triple<T> spring = load<T>(state.frictionSpring_W, i);
+  const bool hasFilm = !state.frictionFilm_W.empty();
+  Triple<T> film_W = slip;
+  if (hasFilm) {
+    const Triple<T> film = load<T>(state.frictionFilm_W, i);
+    film_W = film_W + (film - dot(normal_W, film) * normal_W);
   }
-  touching.friction =
-      frictionWithFilm(slip + spring - normal_W * normal_W.dot(spring), film_W,
-                       history.pressedBefore[i], model.wallTangential[i],
-                       {state.isSliding[i] != 0, state.slipSpeed[i]}, model.parts.friction, model);
-  state.wallForce_W[i] += touching.friction.force_W();
-  if (!touching.isPressed) return;  // a node that left the wall has no friction history
-  history.spring_W[i] = touching.friction.plain.spring_W;
-  history.film_W[i] = touching.friction.film.spring_W;
-  history.isSliding[i] = touching.friction.plain.isSliding ? 1 : 0;
-  history.slip[i] = slip.norm();
+  const T slid = loadBytes<T>(state.isSliding, i);
+  const FrictionOf<T> friction =
+      frictionWithFilmAt<T>(slip + spring - dot(normal_W, spring) * normal_W, film_W,
+                            load<T>(history.pressedBefore, i), load<T>(model.wallTangential, i),
+                            {slid, load<T>(state.slipSpeed, i)}, model.parts.friction, model);
+  const Triple<T> onWall = load<T>(state.wallForce_W, i);
+  const Triple<T> force_W = model.film.fraction > 0.0
+                                ? friction.plain.force_W + friction.film.force_W
+                                : friction.plain.force_W;
+  store(oneOf(hasFriction, onWall + force_W, onWall), state.wallForce_W, i);
+  store(friction.plain, history.plain, i);
+  if (model.film.fraction > 0.0) store(friction.film, history.film, i);
+  // a node that left the wall has no friction history
+  const auto keeps = hasFriction & (load<T>(contacts.isPressed, i) == yes);
+  store(oneOf(keeps, friction.plain.spring_W, Triple<T>{}), history.spring_W, i);
+  store(oneOf(keeps, friction.film.spring_W, Triple<T>{}), history.film_W, i);
+  store(oneOf(keeps, root(dot(slip, slip)), T{}), history.slip, i);
+  storeBytes(flagsOf<T>(keeps & (friction.plain.isSliding == yes)), history.isSliding, i);
 }
 
 /// Stiffness of a contact: on a concave wall the normal rotates as the node moves along it.
-SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSet& contacts,
+SymmetricBlock<double> stiffnessOf(const InsertionState& state, bool hasFilm, std::size_t i,
+                                   const ContactSet& contacts,
                                    const FrictionHistory& history) noexcept
 {
   SymmetricBlock<double> stiffness;
-  const bool isOpen = !contacts.open.empty() && contacts.open[touching.node].isOpen;
-  if (touching.isPressed && isOpen) {
-    stiffness = contacts.open[touching.node].stiffness;
-  } else if (touching.isPressed) {
-    const double slope = touching.push.slope, force = touching.push.force;
-    const Eigen::Vector3d g = contacts.normal_W[touching.node];
-    const Eigen::Matrix3d& k = contacts.wall[touching.node].shapeOperator_W;
+  const bool isOpen = !contacts.open.empty() && contacts.open[i].isOpen;
+  const bool isPressed = contacts.isPressed[i] == yes;
+  if (isPressed && isOpen) {
+    stiffness = contacts.open[i].stiffness;
+  } else if (isPressed) {
+    const double slope = contacts.slope[i], force = state.normalForce[i];
+    const Eigen::Vector3d g = contacts.normal_W[i];
+    const Eigen::Matrix3d& k = contacts.wall[i].shapeOperator_W;
     stiffness = {slope * g[0] * g[0] + force * k(0, 0), slope * g[0] * g[1] + force * k(0, 1),
                  slope * g[0] * g[2] + force * k(0, 2), slope * g[1] * g[1] + force * k(1, 1),
                  slope * g[1] * g[2] + force * k(1, 2), slope * g[2] * g[2] + force * k(2, 2)};
   }
-  if (history.pressedBefore[touching.node] > 0.0)
-    stiffness += asBlock(touching.friction.stiffness(history.normalBefore_W[touching.node]));
+  if (history.pressedBefore[i] > 0.0) {
+    const Eigen::Vector3d& normal_W = history.normalBefore_W[i];
+    const Eigen::Matrix3d plain = history.plain.at(i, normal_W);
+    stiffness += asBlock(hasFilm ? Eigen::Matrix3d(plain + history.film.at(i, normal_W)) : plain);
+  }
   return stiffness;
 }
 
@@ -180,38 +254,64 @@ SymmetricBlock<double> stiffnessOf(const TouchingNode& touching, const ContactSe
 void removeContacts(bool isOval, ContactSet& contacts, InsertionState& state,
                     FrictionHistory& history) noexcept
 {
-  for (std::size_t k = 0; k < contacts.touches; ++k) {
-    const std::size_t i = contacts.touching[k].node;
-    state.wallForce_W[i].setZero();
-    history.spring_W[i].setZero();
-    history.film_W[i].setZero();
+  Eigen::Vector3d* force_W = state.wallForce_W.data();
+  Eigen::Vector3d *spring_W = history.spring_W.data(), *film_W = history.film_W.data();
+  for (const std::size_t i : std::span(contacts.touching).first(contacts.touches)) {
+    force_W[i].setZero();
+    spring_W[i].setZero();
+    film_W[i].setZero();
   }
   contacts.touches = 0;
-  const std::size_t n = state.normalForce.size();
-  std::fill_n(state.normalForce.data(), n, 0.0);
-  std::fill_n(state.membraneForce.data(), n, 0.0);
-  std::fill_n(history.isSliding.data(), n, 0);
-  std::fill_n(history.slip.data(), n, 0.0);
-  if (isOval) std::fill_n(state.wallTorque.data(), n, WallTorque{});
+  std::ranges::fill(history.isSliding, 0);
+  if (isOval) std::ranges::fill(state.wallTorque, WallTorque{});
 }
 
-/// Finds the nodes that press or did so before. The section of an oval array must tell its reach itself,
-/// and so must every node at an open partition.
-void setMayTouch(const InsertionModel& model, bool isOpen, const FrictionHistory& history,
-                 ContactSet& contacts) noexcept
+/// Forces of the wall on a node, or on four: on those that press or did so before. The section of an
+/// oval array must tell its reach itself.
+template <class T>
+PERILYMPH_IN_LANES void touch(const InsertionModel& model, InsertionState& state,
+                              const StepStart& start, const RodKinematics& rod, std::size_t first,
+                              ContactSet& contacts, FrictionHistory& history,
+                              std::vector<Eigen::Vector3d>& force_W) noexcept
 {
-  if (isOpen) {
-    std::ranges::fill(contacts.mayTouch, yes);
+  constexpr std::size_t lanes = sizeof(T) / sizeof(double);
+  store(T{}, state.normalForce, first);
+  store(T{}, state.membraneForce, first);
+  store(T{}, history.slip, first);
+  const bool isOpen = state.partition.isRuptured();
+  const auto isAway = load<T>(model.radius, first) <= load<T>(contacts.distance, first);
+  const auto isNear = load<T>(contacts.isNear, first) == yes;
+  const auto hasFriction = load<T>(history.pressedBefore, first) > 0.0;
+  auto mayPress = model.isOval ? isNear : isNear & (isAway == 0);
+  if (isOpen)
+    mayPress = isNear & (ofEachNode<T>(first, [&](std::size_t i) {
+                           return contacts.open[i].isOpen ? yes : no;
+                         }) == no);
+  else if (!inAny(mayPress | hasFriction))
     return;
+  if (model.isOval) {
+    store(flagsOf<T>(mayPress), contacts.mayPress, first);
+    for (std::size_t i = first; i < first + lanes; ++i)
+      if (contacts.mayPress[i] == yes) findHalf(model, state, rod, i, contacts);
   }
-  inLanes(0, contacts.mayTouch.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
-    using T = decltype(lane);
-    const auto isNear = load<T>(contacts.isNear, i) == yes;
-    const auto wasPressed = load<T>(history.pressedBefore, i) > 0.0;
-    const auto isAway = load<T>(model.radius, i) <= load<T>(contacts.distance, i);
-    store(flagsOf<T>(wasPressed | (model.isOval ? isNear : isNear & (isAway == 0))),
-          contacts.mayTouch, i);
-  });
+  press<T>(model, state, mayPress, first, contacts);
+  if (model.membrane || model.isOval || isOpen)
+    for (std::size_t i = first; i < first + lanes; ++i) {
+      const bool isPressed = contacts.isPressed[i] == yes;
+      if (isPressed && model.membrane) pressMembrane(model, state, i, contacts);
+      if (isPressed && model.isOval) turnSection(model, state, i, contacts);
+      if (isOpen && contacts.open[i].isOpen)
+        contacts.isPressed[i] = openContact(model, state, rod, i, contacts) ? yes : no;
+    }
+  if (inAny(hasFriction)) rub<T>(model, state, start, hasFriction, first, contacts, history);
+
+  const auto touches = hasFriction | (load<T>(contacts.isPressed, first) == yes);
+  const Triple<T> force = load<T>(force_W, first);
+  store(oneOf(touches, force + load<T>(state.wallForce_W, first), force), force_W, first);
+  for (std::size_t i = first; i < first + lanes; ++i) {
+    contacts.touching[contacts.touches] = i;
+    if (contacts.isPressed[i] == yes || history.pressedBefore[i] > 0.0) ++contacts.touches;
+  }
 }
 
 }  // namespace
@@ -219,9 +319,8 @@ void setMayTouch(const InsertionModel& model, bool isOpen, const FrictionHistory
 NormalForce normalForce(double penetration, double stiffness, double onset) noexcept
 {
   if (penetration <= 0.0) return {0.0, 0.0};
-  if (penetration < onset)
-    return {0.5 * stiffness * penetration * penetration / onset, stiffness * penetration / onset};
-  return {stiffness * (penetration - 0.5 * onset), stiffness};
+  const Push<double> push = pushAt(penetration, stiffness, onset);
+  return {push.force, push.slope};
 }
 
 SoftContactForce softContactForce(double penetration, double bone, double fraction,
@@ -259,22 +358,9 @@ void addWallForces(const InsertionModel& model, InsertionState& state, const Ste
 {
   findWall(model, start, state, contacts);
 
-  const bool isOpen = state.partition.isRuptured();
   removeContacts(model.isOval, contacts, state, history);
-  setMayTouch(model, isOpen, history, contacts);
-  forEachNode(contacts.mayTouch, yes, [&](std::size_t i) {
-    const bool hasFriction = history.pressedBefore[i] > 0.0;
-    TouchingNode& touching = contacts.touching[contacts.touches];
-    touching.node = i;
-    touching.isPressed = false;
-    if (isOpen && contacts.open[i].isOpen)
-      touching.isPressed = openContact(model, state, rod, i, contacts);
-    else if (contacts.isNear[i] == yes)
-      normalContact(model, state, rod, i, contacts, touching);
-    if (hasFriction) friction(model, state, start, touching, history);
-    if (!touching.isPressed && !hasFriction) return;
-    force_W[i] += state.wallForce_W[i];
-    ++contacts.touches;
+  inLanesInPlace(0, state.position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    touch<decltype(lane)>(model, state, start, rod, i, contacts, history, force_W);
   });
 }
 
@@ -284,7 +370,7 @@ double frictionLag(const InsertionModel& model, const InsertionState& state,
   const double atRim = std::fabs(contacts.rim.normalForce - history.rimPressedBefore);
   double sum = model.passage ? 0.0 : atRim;
   for (std::size_t k = 0; k < contacts.touches; ++k) {
-    const std::size_t i = contacts.touching[k].node;
+    const std::size_t i = contacts.touching[k];
     sum += std::fabs(state.normalForce[i] - history.pressedBefore[i]);
   }
   const double inPassage = model.passage ? model.passage->friction.staticCoefficient * atRim : 0.0;
@@ -302,12 +388,12 @@ void renewFriction(const InsertionState& state, const ContactSet& contacts,
   }
 }
 
-void addWallStiffness(const ContactSet& contacts, const FrictionHistory& history,
-                      BandMatrix& matrix) noexcept
+void addWallStiffness(const InsertionState& state, bool hasFilm, const ContactSet& contacts,
+                      const FrictionHistory& history, BandMatrix& matrix) noexcept
 {
   for (std::size_t k = 0; k < contacts.touches; ++k) {
-    const TouchingNode& touching = contacts.touching[k];
-    matrix.diagonal.add(blockOf(touching.node), stiffnessOf(touching, contacts, history));
+    const std::size_t i = contacts.touching[k];
+    matrix.diagonal.add(blockOf(i), stiffnessOf(state, hasFilm, i, contacts, history));
   }
 }
 

@@ -54,7 +54,7 @@ void renewFriction(const InsertionState& state, const ContactSet& contacts,
                    FrictionHistory& history) noexcept;
 
 /// Adds the wall's stiffness after addWallForces() to the matrix.
-void addWallStiffness(const ContactSet& contacts, const FrictionHistory& history,
-                      BandMatrix& matrix) noexcept;
+void addWallStiffness(const InsertionState& state, bool hasFilm, const ContactSet& contacts,
+                      const FrictionHistory& history, BandMatrix& matrix) noexcept;
 
 }  // namespace perilymph::mechanics

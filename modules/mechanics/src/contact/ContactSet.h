@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "friction/FrictionStep.h"
 #include "lanes/Flags.h"
 #include "lanes/Lanes.h"
 #include "perilymph/anatomy/Lumen.h"
@@ -52,15 +51,6 @@ struct NormalForce {
   double slope = 0.0;  ///< [N/m]
 };
 
-/// A node that touches the wall, or is still held by friction where it touched it: what the stiffness
-/// of the contact follows from.
-struct TouchingNode {
-  std::size_t node = 0;
-  bool isPressed = false;  ///< It touches the wall.
-  NormalForce push;        ///< If it does.
-  Friction friction;
-};
-
 /// A node in an open part of the cochlear partition or above the partition, in one step.
 struct OpenNode {
   bool isOpen = false;               ///< Whether the node is one.
@@ -76,19 +66,21 @@ struct ContactSet {
         height(nodes),
         squaredMotion(nodes),
         isBeside(nodes),
-        isRequested(nodes),
         isKnown(nodes),
         isNear(nodes),
         isFollowed(nodes),
         isDistant(nodes),
         isNearPlane(nodes),
-        mayTouch(nodes),
+        mayPress(nodes),
+        isPressed(nodes),
         seen(nodes),
         wall(nodes),
         distance(nodes),
         normal_W(nodes),
         section(nodes),
         onPartition(nodes),
+        half(nodes),
+        slope(nodes),
         touching(nodes)
   {
   }
@@ -97,13 +89,13 @@ struct ContactSet {
   std::vector<double> height;         ///< Height of each node above the opening [m].
   std::vector<double> squaredMotion;  ///< Squared motion of each node in this step [m^2].
   Flags isBeside;                     ///< InsertionState::isBeside.
-  Flags isRequested;                  ///< Whether the lumen was queried for each node.
   Flags isKnown;                      ///< Whether the wall was found in this step.
   Flags isNear;                       ///< Whether the wall is within reach of each node.
   Flags isFollowed;                   ///< Whether `seen` or the clearance told that.
   Flags isDistant;                    ///< Whether the lumen told how far the wall is.
   Flags isNearPlane;                  ///< Whether each node is near the plane of the opening.
-  Flags mayTouch;                     ///< Whether each node is pressed, or its section must tell.
+  Flags mayPress;                     ///< Whether each section, if it is oval, must tell its reach.
+  Flags isPressed;                    ///< Whether the wall presses each node.
   SeenWalls seen;                     ///< What the lumen was found to be.
   std::vector<anatomy::WallPoint> wall;  ///< The last answer of the lumen for each node.
   std::vector<double> distance;          ///< That of the wall, if it is near [m] ...
@@ -111,10 +103,13 @@ struct ContactSet {
   std::vector<SectionReach> section;     ///< Section of each node, if it is oval.
   std::vector<double> onPartition;       ///< Force of each node on the cochlear partition [N].
   std::vector<OpenNode> open;            ///< Empty if the partition cannot rupture.
-  std::size_t touches = 0;               ///< Number of nodes that touch the wall.
-  std::vector<TouchingNode> touching;    ///< Those nodes, from the base on.
-  RimContact rim;                        ///< State of the rim contact after this iteration.
-  RimStiffness rimStiffness;             ///< Stiffness of the rim contact.
+  std::vector<double> half;              ///< Reach of each oval section toward the wall [m].
+  std::vector<double> slope;  ///< Slope of the normal force on each node that is pressed [N/m].
+  std::size_t touches = 0;    ///< Number of nodes that touch the wall, or ...
+  std::vector<std::size_t>
+      touching;               ///< ... are held by friction where they did, from the base on.
+  RimContact rim;             ///< State of the rim contact after this iteration.
+  RimStiffness rimStiffness;  ///< Stiffness of the rim contact.
   std::array<RimStiffness, maxPassageRings - 1>
       innerRings;  ///< The same at the rings of a passage behind it.
 };

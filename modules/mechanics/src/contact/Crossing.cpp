@@ -12,16 +12,25 @@ namespace {
 void fill(Crossing& crossing, const InsertionModel& model, const std::vector<Eigen::Vector3d>& x,
           const double (&rate)[3]) noexcept
 {
-  crossing.at_W.setZero();
-  crossing.along_W.setZero();
-  for (std::size_t k = 0; k < crossing.count; ++k) {
-    const std::size_t node = crossing.first + k;
-    crossing.at_W += crossing.weight[k] * x[node];
-    crossing.along_W += rate[k] * x[node];
-    crossing.fromTip += crossing.weight[k] * model.fromTip[node];
-    crossing.radius += crossing.weight[k] * model.radius[node];
-    crossing.radiusRate += rate[k] * model.radius[node];
-  }
+  const Eigen::Vector3d* at_W = x.data() + crossing.first;
+  const double* fromTip = model.fromTip.data() + crossing.first;
+  const double* radius = model.radius.data() + crossing.first;
+  Eigen::Vector3d sum_W = Eigen::Vector3d::Zero(), along_W = sum_W;
+  double length = 0.0, thick = 0.0, thicker = 0.0;
+  const auto add = [&](std::size_t k) {
+    sum_W += crossing.weight[k] * at_W[k];
+    along_W += rate[k] * at_W[k];
+    length += crossing.weight[k] * fromTip[k];
+    thick += crossing.weight[k] * radius[k];
+    thicker += rate[k] * radius[k];
+  };
+  add(0), add(1);
+  if (crossing.count == 3) add(2);
+  crossing.at_W = sum_W;
+  crossing.along_W = along_W;
+  crossing.fromTip = length;
+  crossing.radius = thick;
+  crossing.radiusRate = thicker;
 }
 
 /// Intersection between the midpoints of the edges before and after node i.

@@ -17,11 +17,14 @@ inline void setHeights(const std::vector<Eigen::Vector3d>& position_W,
                        const Eigen::Vector3d& origin_W, const Eigen::Vector3d& normal_W,
                        std::vector<double>& height) noexcept
 {
-  inLanes(0, position_W.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+  const Triple<double> origin{origin_W[0], origin_W[1], origin_W[2]};
+  const Triple<double> normal{normal_W[0], normal_W[1], normal_W[2]};
+  double* above = height.data();
+  inLanes(0, position_W.size(), [=, &position_W](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);
     const Triple<T> at = load<T>(position_W, i);
-    const Triple<T> from{at.x - origin_W[0], at.y - origin_W[1], at.z - origin_W[2]};
-    store(T(from.x * normal_W[0] + from.y * normal_W[1] + from.z * normal_W[2]), height, i);
+    const Triple<T> from{at.x - origin.x, at.y - origin.y, at.z - origin.z};
+    store(T(from.x * normal.x + from.y * normal.y + from.z * normal.z), above, i);
   });
 }
 

@@ -17,7 +17,7 @@ bool setForces(const InsertionModel& model, const InsertionState& state,
   bool isAny = false;
   std::ranges::fill(contacts.onPartition, 0.0);
   for (std::size_t k = 0; k < contacts.touches; ++k) {
-    const std::size_t i = contacts.touching[k].node;
+    const std::size_t i = contacts.touching[k];
     double& force = contacts.onPartition[i];
     if (!(state.normalForce[i] > 0.0) || state.isBeside[i] != 0 || state.track[i].inLeadIn ||
         !model.partitionRange.holds(state.track[i].angle))
@@ -128,7 +128,7 @@ PartitionContact contactWithPartition(const InsertionModel& model, const Inserti
   const double h = model.spacing;
   const std::size_t n = state.position_W.size();
   for (std::size_t at = 0; at < contacts.touches; ++at) {
-    const std::size_t i = contacts.touching[at].node;
+    const std::size_t i = contacts.touching[at];
     if (!(contacts.onPartition[i] > 0.0)) continue;
     const double width = 2.0 * model.radius[i];
     const double half = 0.5 * std::max(width, h);

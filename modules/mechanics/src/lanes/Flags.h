@@ -22,6 +22,34 @@ PERILYMPH_IN_LANES T flagsOf(const Condition& condition) noexcept
   return oneOf(condition, T(T{} + yes), T{});
 }
 
+/// The flags of a node, or of four, from bytes.
+template <class T>
+PERILYMPH_IN_LANES T loadBytes(const std::vector<unsigned char>& from, std::size_t i) noexcept
+{
+  if constexpr (sizeof(T) == sizeof(double)) {
+    return from[i];
+  } else {
+    using Bytes [[gnu::vector_size(4)]] = unsigned char;
+    Bytes bytes;
+    std::memcpy(&bytes, from.data() + i, sizeof bytes);
+    return __builtin_convertvector(bytes, Four);
+  }
+}
+
+/// Stores the flag of a node, or of four, as bytes.
+PERILYMPH_IN_LANES void storeBytes(double flag, std::vector<unsigned char>& to,
+                                   std::size_t i) noexcept
+{
+  to[i] = flag == yes ? 1 : 0;
+}
+PERILYMPH_IN_LANES void storeBytes(const Four& flags, std::vector<unsigned char>& to,
+                                   std::size_t i) noexcept
+{
+  using Bytes [[gnu::vector_size(4)]] = unsigned char;
+  const Bytes bytes = __builtin_convertvector(flags, Bytes);
+  std::memcpy(to.data() + i, &bytes, sizeof bytes);
+}
+
 /// Calls a function for each node whose flag is `value`.
 template <class Function>
 void forEachNode(const Flags& flags, double value, const Function& function) noexcept

@@ -4,6 +4,7 @@
 // Kernels of nodes, four at a time.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -104,7 +105,7 @@ PERILYMPH_IN_LANES void store(const Triple<T>& v, Axes& to, std::size_t i) noexc
 template <class T>
 PERILYMPH_IN_LANES Triple<T> load(const std::vector<Eigen::Vector3d>& from, std::size_t i) noexcept
 {
-  const double* at = from[i].data();
+  const double* at = componentsOf(from) + 3 * i;
   if constexpr (sizeof(T) == sizeof(double)) {
     return {at[0], at[1], at[2]};
   } else {
@@ -124,7 +125,7 @@ template <class T>
 PERILYMPH_IN_LANES void store(const Triple<T>& v, std::vector<Eigen::Vector3d>& to,
                               std::size_t i) noexcept
 {
-  double* at = to[i].data();
+  double* at = componentsOf(to) + 3 * i;
   if constexpr (sizeof(T) == sizeof(double)) {
     at[0] = v.x, at[1] = v.y, at[2] = v.z;
   } else {
@@ -135,10 +136,15 @@ PERILYMPH_IN_LANES void store(const Triple<T>& v, std::vector<Eigen::Vector3d>& 
     const Four a = __builtin_shufflevector(xy, zx, 0, 1, 4, 5);     // x0 y0 z0 x1
     const Four b = __builtin_shufflevector(yx, zx, 0, 6, 1, 2);     // y1 z1 x2 y2
     const Four c = __builtin_shufflevector(zy, v.x, 0, 7, 1, 2);    // z2 x3 y3 z3
-    std::memcpy(at, &a, sizeof a);
-    std::memcpy(at + 4, &b, sizeof b);
-    std::memcpy(at + 8, &c, sizeof c);
+    store(a, at, 0), store(b, at, 4), store(c, at, 8);
   }
+}
+
+/// Makes the vectors of one array those of another of the same size.
+inline void copy(const std::vector<Eigen::Vector3d>& from,
+                 std::vector<Eigen::Vector3d>& to) noexcept
+{
+  std::copy_n(componentsOf(from), 3 * from.size(), componentsOf(to));
 }
 
 PERILYMPH_IN_LANES double root(double a) noexcept { return std::sqrt(a); }
@@ -197,6 +203,16 @@ PERILYMPH_IN_LANES Four laneByLane(const Four& a, const Four& b, const Function&
 {
   return Four{function(a[0], b[0]), function(a[1], b[1]), function(a[2], b[2]),
               function(a[3], b[3])};
+}
+
+/// The values of a function of a node, or of four nodes, for what is not stored node by node as numbers.
+template <class T, class Function>
+PERILYMPH_IN_LANES T ofEachNode(std::size_t i, const Function& function) noexcept
+{
+  if constexpr (sizeof(T) == sizeof(double))
+    return function(i);
+  else
+    return T{function(i), function(i + 1), function(i + 2), function(i + 3)};
 }
 
 template <class T>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lanes/Flags.h"
 #include "perilymph/foundation/Math.h"
 #include "rod/Relaxation.h"
 #include "rod/Rod.h"
@@ -83,14 +84,10 @@ PERILYMPH_IN_LANES T twistOf(const TurningJoint<T>& joint) noexcept
 }
 
 /// Whether the larger EI is across the plane of curl.
-PERILYMPH_IN_LANES bool isStifferAcross(double, const InsertionModel& model, std::size_t i) noexcept
+template <class T>
+PERILYMPH_IN_LANES auto isStifferAcross(const InsertionModel& model, std::size_t i) noexcept
 {
-  return model.stifferAcross[i] != 0;
-}
-PERILYMPH_IN_LANES auto isStifferAcross(Four, const InsertionModel& model, std::size_t i) noexcept
-{
-  const auto& is = model.stifferAcross;
-  return Four{double(is[i]), double(is[i + 1]), double(is[i + 2]), double(is[i + 3])} != 0.0;
+  return loadBytes<T>(model.stifferAcross, i) != 0.0;
 }
 
 /// Direction of the larger EI of an oval section: that of the curl, or perpendicular to it.
@@ -99,7 +96,7 @@ PERILYMPH_IN_LANES Triple<T> stifferWay(const InsertionModel& model, const Turni
                                         std::size_t i) noexcept
 {
   const T half = T{} + 0.5;
-  return oneOf(isStifferAcross(T{}, model, i),
+  return oneOf(isStifferAcross<T>(model, i),
                half * (cross(joint.p, joint.d) + cross(joint.t, joint.e)),
                half * (joint.d + joint.e));
 }
@@ -158,8 +155,10 @@ PERILYMPH_IN_LANES void addOval(const InsertionModel& model, const SectionStiffn
     rest = held.along;
     aside = held.across;
   }
-  const T along = dot(s, stifferWay(model, joint, i));
-  const auto isAcross = isStifferAcross(T{}, model, i);
+  const auto isAcross = isStifferAcross<T>(model, i);
+  const Triple<T> stiffer =
+      (T{} + 0.5) * oneOf(isAcross, joint.dAcross + joint.eAcross, joint.d + joint.e);
+  const T along = dot(s, stiffer);
   const T lastRate =
       0.5 * oneOf(isAcross, T(-dot(s, joint.d) - rest), T(dot(s, joint.dAcross) + aside));
   const T nextRate =
@@ -223,9 +222,11 @@ void findTorques(const InsertionModel& model, const InsertionState& state,
     store(T(load<T>(turns.stiffness, j) + load<T>(turns.stiffnessByNext, j)), turns.stiffness, j);
   });
   if (!model.isOval) return;
-  for (std::size_t i = 1; i <= edges; ++i) {
-    turns.torque[i - 1] += state.wallTorque[i].torque;
-    turns.stiffness[i - 1] += state.wallTorque[i].stiffness;
+  const WallTorque* wall = state.wallTorque.data() + 1;
+  double *torque = turns.torque.data(), *stiffness = turns.stiffness.data();
+  for (std::size_t j = 0; j < edges; ++j) {
+    torque[j] += wall[j].torque;
+    stiffness[j] += wall[j].stiffness;
   }
 }
 
@@ -237,46 +238,47 @@ using Pair [[gnu::vector_size(16)]] = double;
 /// replaces the coupling that it came from.
 void solveTurns(std::size_t last, TwistSystem& turns) noexcept
 {
+  double *stiffnessOf = turns.stiffness.data(), *torqueOf = turns.torque.data();
+  double *besideOf = turns.beside.data(), *turnOf = turns.turn.data();
   const std::size_t steps = (last - 2) / 2;  // edges eliminated from each end
-  Pair stiffness{turns.stiffness[1], turns.stiffness[last]};
-  Pair torque{turns.torque[1], turns.torque[last]};
+  Pair stiffness{stiffnessOf[1], stiffnessOf[last]};
+  Pair torque{torqueOf[1], torqueOf[last]};
   for (std::size_t k = 0; k < steps; ++k) {
     const std::size_t base = 1 + k, tip = last - k;
-    const Pair beside{turns.beside[base + 1], turns.beside[tip]};
+    const Pair beside{besideOf[base + 1], besideOf[tip]};
     const Pair inverseStiffness = 1.0 / stiffness;
     const Pair factor = beside * inverseStiffness;
     const Pair turn = torque * inverseStiffness;
-    stiffness = Pair{turns.stiffness[base + 1], turns.stiffness[tip - 1]} - factor * beside;
-    torque = Pair{turns.torque[base + 1], turns.torque[tip - 1]} - factor * torque;
-    turns.torque[base] = turn[0], turns.torque[tip] = turn[1];
-    turns.beside[base + 1] = factor[0], turns.beside[tip] = factor[1];
+    stiffness = Pair{stiffnessOf[base + 1], stiffnessOf[tip - 1]} - factor * beside;
+    torque = Pair{torqueOf[base + 1], torqueOf[tip - 1]} - factor * torque;
+    torqueOf[base] = turn[0], torqueOf[tip] = turn[1];
+    besideOf[base + 1] = factor[0], besideOf[tip] = factor[1];
   }
 
   // the middle, from its tip to its base and back
   const std::size_t first = 1 + steps, end = last - steps;
-  turns.stiffness[first] = stiffness[0], turns.stiffness[end] = stiffness[1];
-  turns.torque[first] = torque[0], turns.torque[end] = torque[1];
+  stiffnessOf[first] = stiffness[0], stiffnessOf[end] = stiffness[1];
+  torqueOf[first] = torque[0], torqueOf[end] = torque[1];
   for (std::size_t j = end; j > first; --j) {
-    const double factor = turns.beside[j] / turns.stiffness[j];
-    turns.stiffness[j - 1] -= factor * turns.beside[j];
-    turns.torque[j - 1] -= factor * turns.torque[j];
-    turns.torque[j] /= turns.stiffness[j];
-    turns.beside[j] = factor;
+    const double factor = besideOf[j] / stiffnessOf[j];
+    stiffnessOf[j - 1] -= factor * besideOf[j];
+    torqueOf[j - 1] -= factor * torqueOf[j];
+    torqueOf[j] /= stiffnessOf[j];
+    besideOf[j] = factor;
   }
   const auto limited = [](double turn) { return std::clamp(turn, -maxTurn, maxTurn); };
-  turns.turn[first] = limited(turns.torque[first] / turns.stiffness[first]);
+  turnOf[first] = limited(torqueOf[first] / stiffnessOf[first]);
   for (std::size_t j = first + 1; j <= end; ++j)
-    turns.turn[j] = limited(turns.torque[j] - turns.beside[j] * turns.turn[j - 1]);
+    turnOf[j] = limited(torqueOf[j] - besideOf[j] * turnOf[j - 1]);
 
   const Pair highest{maxTurn, maxTurn}, lowest = -highest;
-  Pair turn{turns.turn[first], turns.turn[end]};
+  Pair turn{turnOf[first], turnOf[end]};
   for (std::size_t k = steps; k-- > 0;) {
     const std::size_t base = 1 + k, tip = last - k;
-    turn = Pair{turns.torque[base], turns.torque[tip]} -
-           Pair{turns.beside[base + 1], turns.beside[tip]} * turn;
+    turn = Pair{torqueOf[base], torqueOf[tip]} - Pair{besideOf[base + 1], besideOf[tip]} * turn;
     turn = lowest > turn ? lowest : turn;
     turn = highest < turn ? highest : turn;
-    turns.turn[base] = turn[0], turns.turn[tip] = turn[1];
+    turnOf[base] = turn[0], turnOf[tip] = turn[1];
   }
 }
 

@@ -104,12 +104,10 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
     section.stretching[j] = model.stretching[j] / h;
 }
 
-void setRestShape(const InsertionModel& model, const std::vector<Vector3d>& position_W,
-                  const Vector3d& curl_W, const SectionStiffness& section,
-                  RodKinematics& rod) noexcept
+void setRestShape(const InsertionModel& model, const Vector3d& curl_W,
+                  const SectionStiffness& section, RodKinematics& rod) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
-  setEdges(position_W, rod);
   rod.lengthBefore = rod.length;
   inLanes(1, n - 1, [&rod](auto lane, std::size_t i) PERILYMPH_KERNEL {
     using T = decltype(lane);

@@ -29,10 +29,9 @@ void setStiffness(const InsertionModel& model, double styletWithdrawal, double r
 
 /// Sets the rest bends h kappa d as vectors: the direction of curl d is transported along the rod
 /// from the base without twist (for an array that does not twist). Also stores lengths and bends at
-/// the start of the step, relative to which damping is computed.
-void setRestShape(const InsertionModel& model, const std::vector<Eigen::Vector3d>& position_W,
-                  const Eigen::Vector3d& curl_W, const SectionStiffness& section,
-                  RodKinematics& rod) noexcept;
+/// the start of the step, relative to which damping is computed. Needs the edges there.
+void setRestShape(const InsertionModel& model, const Eigen::Vector3d& curl_W,
+                  const SectionStiffness& section, RodKinematics& rod) noexcept;
 
 /// Computes the rod's edges at these positions.
 void setEdges(const std::vector<Eigen::Vector3d>& position_W, RodKinematics& rod) noexcept;

@@ -15,9 +15,12 @@ namespace perilymph::mechanics {
 
 /// The start of a time step, relative to which motion is computed.
 struct StepStart {
-  explicit StepStart(std::size_t nodes = 0) : position_W(nodes) {}
+  explicit StepStart(std::size_t nodes = 0)
+      : position_W(nodes, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()))
+  {
+  }
 
-  std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m].
+  std::vector<Eigen::Vector3d> position_W;  ///< Position of each node [m]; not a number: not yet.
 };
 
 /// Where the nodes are expected at the end of a time step.

@@ -2,6 +2,7 @@
 #include "rod/Step.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "contact/Clearance.h"
 #include "contact/OpenPartition.h"
@@ -45,7 +46,7 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   }
   state.position_W[0] = to_W;
   state.position_W[1] = to_W + model.spacing * drive.handAxis_W;
-  work.prediction.position_W = state.position_W;
+  copy(state.position_W, work.prediction.position_W);
 }
 
 /// Corrects the trend of the velocities by the error of the prediction.
@@ -68,12 +69,16 @@ void learnTrend(const Prediction& prediction, double trendGain, double inverseTi
   });
 }
 
+bool isSame(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vector3d>& b) noexcept
+{
+  return std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
 /// Stores the state at the start of the step.
 void remember(InsertionState& state, bool isOval, RodWorkspace& work) noexcept
 {
-  work.start.position_W = state.position_W;
   work.friction.pressedBefore = state.normalForce;
-  work.friction.normalBefore_W = state.wallNormal_W;
+  copy(state.wallNormal_W, work.friction.normalBefore_W);
   std::ranges::fill(work.contacts.isKnown, no);
   if (isOval)
     for (SectionReach& section : work.contacts.section) section.isKnown = false;
@@ -90,7 +95,12 @@ Step takeStep(const InsertionModel& model, InsertionState& state, const Drive& d
   findBone(model, state, work.contacts);
   if (state.partition.isRuptured()) findSides(model, state, work.contacts);
   setGuide(drive, state.base_W, work.guide);
-  setRestShape(model, state.position_W, drive.handCurl_W, work.section, work.rod);
+  // the last forces of the step before were those here, unless the state was changed since
+  if (!isSame(work.start.position_W, state.position_W)) {
+    copy(state.position_W, work.start.position_W);
+    setEdges(state.position_W, work.rod);
+  }
+  setRestShape(model, drive.handCurl_W, work.section, work.rod);
   if (styletMoved != 0.0 && model.styletMoment > 0.0)
     moveStylet(model, styletMoved, work.section, work.rod, state);
   if (work.section.holds) setHeldBend(model, state, work.section);
@@ -132,6 +142,7 @@ void commitStep(const InsertionModel& model, InsertionState& state, RodWorkspace
   if (keepsSections) state.section = work.contacts.section;
   keepClearance(work.contacts, state);
   state.rim = work.contacts.rim;
+  copy(state.position_W, work.start.position_W);
 }
 
 }  // namespace perilymph::mechanics

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "contact/Heights.h"
 #include "contact/PartitionRupture.h"
@@ -37,10 +38,13 @@ Wrench wrenchOf(const InsertionModel& model, const InsertionState& state, const 
 }
 
 /// Length of array past the plane of the opening [m].
+///
+/// @param height  Of each node above the opening's center at the last forces.
 double depthOf(const InsertionModel& model, const InsertionState& state,
                std::vector<double>& height) noexcept
 {
-  setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, height);
+  if (model.openingCenter_W != model.entry.origin_W)
+    setHeights(state.position_W, model.entry.origin_W, model.entry.out_W, height);
   const auto behind = [&](std::size_t i) {
     return anatomy::behindOpening(model.entry, state.position_W[i], state.track[i]);
   };
@@ -71,16 +75,19 @@ void read(const InsertionModel& model, InsertionState& state, const Wrench& wren
   r.angularDepth = r.depth > 0.0 ? std::max(state.track.back().angle, 0.0) : 0.0;
   r.rimForce = state.rim.normalForce;
   r.contacts = 0;
-  r.wallForceMax = r.wallForceTotal = r.membraneForce = 0.0;
-  for (std::size_t k = 0; k < work.contacts.touches; ++k) {
-    const std::size_t i = work.contacts.touching[k].node;
-    const double force = state.normalForce[i];
+  const double *normalForce = state.normalForce.data(), *onMembrane = state.membraneForce.data();
+  double total = 0.0, largest = 0.0, membrane = 0.0;
+  for (const std::size_t i : std::span(work.contacts.touching).first(work.contacts.touches)) {
+    const double force = normalForce[i];
     if (!(force > 0.0)) continue;
     ++r.contacts;
-    r.wallForceTotal += force;
-    r.wallForceMax = std::max(r.wallForceMax, force);
-    r.membraneForce += state.membraneForce[i];
+    total += force;
+    largest = std::max(largest, force);
+    membrane += onMembrane[i];
   }
+  r.wallForceTotal = total;
+  r.wallForceMax = largest;
+  r.membraneForce = membrane;
   const double sum = r.handForce_W.x() + r.handForce_W.y() + r.handForce_W.z() +
                      state.position_W.back().x() + state.position_W.back().y() +
                      state.position_W.back().z() + result.residual.squaredNorm;

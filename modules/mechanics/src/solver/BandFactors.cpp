@@ -169,9 +169,10 @@ PERILYMPH_IN_LANES void BandFactors::factorizeInLanes(const BandMatrix& matrix) 
   EliminatedRows<Lanes> taken{};
   for (std::size_t k = 0; k < steps_; ++k) {
     const std::size_t mirrored = blocks_ - 1 - k;
-    const MatrixColumn<Lanes> column{pair<Lanes>(diagonal[k], diagonal[mirrored]),
-                                     pairMirrored<Lanes>(beside[k + 1], beside[mirrored]),
-                                     pairMirrored<Lanes>(beyond[k + 2], beyond[mirrored])};
+    const MatrixColumn<Lanes> column{
+        pair<Lanes>(load<double>(diagonal, k), load<double>(diagonal, mirrored)),
+        pairMirrored<Lanes>(load<double>(beside, k + 1), load<double>(beside, mirrored)),
+        pairMirrored<Lanes>(load<double>(beyond, k + 2), load<double>(beyond, mirrored))};
     isDefinite = eliminate(column, taken, ends_[k]) && isDefinite;
   }
 
@@ -203,9 +204,10 @@ void BandFactors::solve(std::vector<Eigen::Vector3d>& right) noexcept
 PERILYMPH_IN_LANES void BandFactors::solveInLanes(std::vector<Eigen::Vector3d>& right) noexcept
 {
   const std::size_t last = blocks_ - 1;
+  Column<Lanes>* ends = ends_.data();
   EliminatedRhs<Lanes> taken{};
   for (std::size_t k = 0; k < steps_; ++k)
-    substitute(pair<Lanes>(tripleOf(right[k]), tripleOf(right[last - k])), taken, ends_[k]);
+    substitute(pair<Lanes>(load<double>(right, k), load<double>(right, last - k)), taken, ends[k]);
 
   Triple<double> middle[3];
   for (std::size_t k = 0; k < left_; ++k) middle[k] = tripleOf(right[steps_ + k]);
@@ -227,11 +229,11 @@ PERILYMPH_IN_LANES void BandFactors::solveInLanes(std::vector<Eigen::Vector3d>& 
   Triple<Lanes> nextPair = pair<Lanes>(middle_[0].solution, middle_[left_ - 1].solution);
   Triple<Lanes> secondPair = pair<Lanes>(middle_[1].solution, middle_[left_ - 2].solution);
   for (std::size_t k = steps_; k-- > 0;) {
-    substituteBack(nextPair, secondPair, ends_[k]);
+    substituteBack(nextPair, secondPair, ends[k]);
     secondPair = nextPair;
-    nextPair = ends_[k].solution;
-    right[k] = vectorOf(laneOf(nextPair, fromBase));
-    right[last - k] = vectorOf(laneOf(nextPair, fromTip));
+    nextPair = ends[k].solution;
+    store(laneOf(nextPair, fromBase), right, k);
+    store(laneOf(nextPair, fromTip), right, last - k);
   }
 }
 

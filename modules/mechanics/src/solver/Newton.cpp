@@ -93,7 +93,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
   for (; triesLeft(law, work.done) > 0 && now.maxNorm > law.atRest; ++iterations) {
     if (!factors.exist()) {
       Compression compression = Compression::included;
-      if (!factorize(model, base, compression, work)) break;
+      if (!factorize(model, state, base, compression, work)) break;
       areOwn = true;
     }
     const double longest = solveLinearSystem(work.system);
@@ -109,7 +109,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
 
     const double slope = directionalDerivative(work.system);
     if (!(slope > 0.0) || !std::isfinite(longest)) break;
-    work.system.start_W = state.position_W;
+    copy(state.position_W, work.system.start_W);
     const Residual before = now;
     const double alpha =
         lineSearch(model, state, base, slope, std::min(1.0, law.longestStep / longest), now, work);

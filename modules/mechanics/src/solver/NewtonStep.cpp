@@ -40,9 +40,11 @@ void moveBy(LinearSystem& system, double alpha, std::vector<Eigen::Vector3d>& po
   position_W[0] = system.start_W[0] + alpha * system.trial_W[0];
   position_W[1] = system.start_W[1] + alpha * system.trial_W[0];
   Eigen::Vector3d at_W = position_W[1];
+  const Eigen::Vector3d* edge_W = system.edge_W.data();
+  Eigen::Vector3d* to_W = position_W.data();
   for (std::size_t i = 1; i + 1 < nodes; ++i) {
-    at_W += system.edge_W[i];
-    position_W[i + 1] = at_W;
+    at_W += edge_W[i];
+    to_W[i + 1] = at_W;
   }
 }
 
@@ -64,31 +66,32 @@ double directionalDerivativeAt(LinearSystem& system, double alpha) noexcept
     store(lengthens * along + turns * (change - dot(along, change) * along), system.edge_W, i);
   });
   Eigen::Vector3d motion = system.trial_W[0];
-  double sum = system.right[0].dot(motion);
+  const Eigen::Vector3d *edge_W = system.edge_W.data(), *right = system.right.data();
+  double sum = right[0].dot(motion);
   for (std::size_t i = 1; i + 1 < nodes; ++i) {
-    motion += system.edge_W[i];
-    sum += system.right[i].dot(motion);
+    motion += edge_W[i];
+    sum += right[i].dot(motion);
   }
   return sum;
 }
 
-bool factorize(const InsertionModel& model, const Base& base, Compression& compression,
-               RodWorkspace& work) noexcept
+bool factorize(const InsertionModel& model, const InsertionState& state, const Base& base,
+               Compression& compression, RodWorkspace& work) noexcept
 {
   if (compression == Compression::included) {
     ++work.done.factorizations;
-    assembleStiffness(model, base, compression, work);
+    assembleStiffness(model, state, base, compression, work);
     if (work.system.factors.factorize(work.system.matrix)) return true;
     compression = Compression::leftOut;
   }
   ++work.done.factorizations;
-  assembleStiffness(model, base, compression, work);
+  assembleStiffness(model, state, base, compression, work);
   return work.system.factors.factorize(work.system.matrix);
 }
 
 double solveLinearSystem(LinearSystem& system) noexcept
 {
-  system.trial_W = system.right;
+  copy(system.right, system.trial_W);
   system.factors.solve(system.trial_W);
   Four longest{};
   withLanes([&]() PERILYMPH_KERNEL {

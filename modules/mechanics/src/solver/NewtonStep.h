@@ -10,8 +10,8 @@ namespace perilymph::mechanics {
 /// Factorizes the stiffness at the last residual. Past its buckling load the exact matrix is
 /// indefinite; then it leaves compression out, which is always positive definite, and states it in
 /// `compression`. False only if that is impossible.
-bool factorize(const InsertionModel& model, const Base& base, Compression& compression,
-               RodWorkspace& work) noexcept;
+bool factorize(const InsertionModel& model, const InsertionState& state, const Base& base,
+               Compression& compression, RodWorkspace& work) noexcept;
 
 /// Computes the Newton step of every block, into system.trial_W.
 ///

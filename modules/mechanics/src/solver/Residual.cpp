@@ -14,9 +14,10 @@
 namespace perilymph::mechanics {
 namespace {
 
-SymmetricBlock<double> uniform(double stiffness) noexcept
+template <class T>
+PERILYMPH_IN_LANES SymmetricBlock<T> uniform(const T& stiffness) noexcept
 {
-  return {stiffness, 0.0, 0.0, stiffness, 0.0, stiffness};
+  return {stiffness, T{}, T{}, stiffness, T{}, stiffness};
 }
 
 /// Maximum and sum of squares over all blocks; NaN is propagated.
@@ -122,21 +123,26 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
   return normsOf(work.system.right);
 }
 
-void assembleStiffness(const InsertionModel& model, const Base& base, Compression compression,
-                       RodWorkspace& work) noexcept
+void assembleStiffness(const InsertionModel& model, const InsertionState& state, const Base& base,
+                       Compression compression, RodWorkspace& work) noexcept
 {
   const auto n = static_cast<std::size_t>(model.nodes);
   BandMatrix& matrix = work.system.matrix;
   setRodStiffness(model, compression, work.section, work.rod, work.joints, matrix);
-  addWallStiffness(work.contacts, work.friction, matrix);
+  addWallStiffness(state, model.film.fraction > 0.0, work.contacts, work.friction, matrix);
   addRimStiffness(model, work.contacts, matrix);
   addGuideStiffness(model, work.guide, matrix);
-  for (std::size_t i = 2; i < n; ++i)
-    matrix.diagonal.add(blockOf(i), uniform(work.inertia.hold[3 * i]));
+  const double* hold = work.inertia.hold.data();
+  inLanesInPlace(2, n, [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    SymmetricBlock<T> block = load<T>(matrix.diagonal, blockOf(i));
+    block += uniform<T>(ofEachNode<T>(i, [=](std::size_t node) { return hold[3 * node]; }));
+    store(block, matrix.diagonal, blockOf(i));
+  });
   if (base.isHeld)
     matrix.holdFirst();
   else
-    matrix.diagonal.add(0, uniform(base.inertia + base.effectiveStiffness));
+    matrix.diagonal.add(0, uniform<double>(base.inertia + base.effectiveStiffness));
 }
 
 }  // namespace perilymph::mechanics

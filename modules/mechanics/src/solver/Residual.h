@@ -40,7 +40,7 @@ Residual residual(const InsertionModel& model, InsertionState& state, const Base
 
 /// Fills work.system.matrix with the derivative of the last residual: minus the unbalanced forces
 /// by the positions.
-void assembleStiffness(const InsertionModel& model, const Base& base, Compression compression,
-                       RodWorkspace& work) noexcept;
+void assembleStiffness(const InsertionModel& model, const InsertionState& state, const Base& base,
+                       Compression compression, RodWorkspace& work) noexcept;
 
 }  // namespace perilymph::mechanics

@@ -21,6 +21,8 @@
 namespace perilymph {
 
 using Four [[gnu::vector_size(32)]] = double;
+/// Four of an array of numbers, wherever it begins.
+using FourOfArray [[gnu::vector_size(32), gnu::aligned(8)]] = double;
 
 /// Instructions for which kernels are compiled; each has all of those before it. The first are those of the
 /// rest of the program, of x86-64 SSE2.
@@ -72,10 +74,14 @@ PERILYMPH_IN_LANES T load(const double* from, std::size_t i) noexcept
   return value;
 }
 
+/// As numbers, not as bytes: what is stored changes no pointer, so that a kernel reads its pointers once.
 template <class T>
 PERILYMPH_IN_LANES void store(const T& value, double* to, std::size_t i) noexcept
 {
-  std::memcpy(to + i, &value, sizeof value);
+  if constexpr (sizeof(T) == sizeof(double))
+    to[i] = value;
+  else
+    *reinterpret_cast<FourOfArray*>(to + i) = value;
 }
 
 /// The larger of two numbers, like std::max: the first if one is not a number.

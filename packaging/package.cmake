@@ -66,8 +66,10 @@ install(FILES modules/device/include/perilymph/device/PluginApi.h COMPONENT sdk
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/perilymph/device")
 configure_package_config_file(packaging/sdk/PerilymphConfig.cmake.in "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
   INSTALL_DESTINATION "${sdk}" PATH_VARS CMAKE_INSTALL_INCLUDEDIR)
+# The releases differ in more than the interface of plug-ins, whose version 1 every release keeps (PluginApi.h): a project
+# that was made for one release is built with each later one.
 write_basic_package_version_file("${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY AnyNewerVersion ARCH_INDEPENDENT)
 install(FILES "${CMAKE_BINARY_DIR}/packaging/PerilymphConfig.cmake"
   "${CMAKE_BINARY_DIR}/packaging/PerilymphConfigVersion.cmake" DESTINATION "${sdk}" COMPONENT sdk)
 install(DIRECTORY plugins/devices/example plugins/devices/paddle packaging/sdk/template

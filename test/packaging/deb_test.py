@@ -93,7 +93,7 @@ class DebianPackages(unittest.TestCase):
         self.assertEqual({each.text for each in ElementTree.parse(description).iter("modalias")}, devices)
         self.assertGreater(len(devices), 3)
 
-    def test_a_file_manager_knows_recordings_and_studies_and_draws_a_recording(self):
+    def test_a_file_manager_knows_what_the_program_opens_and_draws_a_recording(self):
         share = self.unpacked / "usr/share"
         known = self.folder / "share"
         (known / "mime/packages").mkdir(parents=True)
@@ -105,15 +105,30 @@ class DebianPackages(unittest.TestCase):
         cli = self.unpacked / "usr/bin/perilymph-cli"
         recording = self.folder / "a.insertion"
         for words in (("study", "run", study, "--out", self.folder / "results"),
-                      ("simulate", "--scenario", "mean-flex28", "--nodes", "50", "--record", recording)):
+                      ("simulate", "--scenario", "mean-flex28", "--nodes", "50", "--record", recording),
+                      ("plan", "--patient", "measured", "--arrays", "hybrid-l24", "--samples", "16", "--out", self.folder / "plan")):
             done = run(cli, *words, cwd="/")
             self.assertEqual(done.returncode, 0, done.stderr)
         env = {**os.environ, "XDG_DATA_HOME": str(known), "XDG_DATA_DIRS": str(known)}
         handled = (share / "applications/org.perilymph.perilymph.desktop").read_text()
-        for file, kind in ((recording, "insertion"), (self.folder / "results/study.sqlite", "study")):
+        patients = share / "perilymph/resources/patients"
+        others = {name: self.folder / "others" / name for name in ("plan.json", "settings.toml")}
+        (self.folder / "others").mkdir()
+        others["plan.json"].write_text('{"program": "another", "plan": "of it"}')
+        others["settings.toml"].write_text('label = "another"\nside = "left"\n')
+        own = [(recording, "insertion"), (self.folder / "results/study.sqlite", "study"), (self.folder / "plan/plan.json", "plan"),
+               *((file, "patient") for file in patients.glob("*.toml"))]
+        self.assertGreater(len(own), 5)
+        foreign = [(others["plan.json"], "application/json"), (others["settings.toml"], "application/toml"),
+                   (share / "perilymph/resources/scenarios/mean-flex28.toml", "application/toml"),
+                   (share / "perilymph/plugins/electrodes/med-el/flex28.toml", "application/toml")]
+        for file, kind in [(file, f"application/x-perilymph-{kind}") for file, kind in own] + foreign:
             said = run("gio", "info", "-a", "standard::content-type", file, env=env).stdout
-            self.assertIn(f"application/x-perilymph-{kind}", said)
-            self.assertIn(f"application/x-perilymph-{kind};", handled)
+            self.assertTrue(said.rstrip().endswith(f": {kind}"), f"{file}: {said}")
+        # Each of these is offered to the program, which takes one file.
+        self.assertEqual(set(re.search("^MimeType=(.*);$", handled, re.MULTILINE).group(1).split(";")),
+                         {f"application/x-perilymph-{kind}" for _, kind in own})
+        self.assertIn("\nExec=perilymph %f\n", handled)
         entry = (share / "thumbnailers/perilymph.thumbnailer").read_text()
         words = re.search(r"^Exec=perilymph-cli (.*)$", entry, re.MULTILINE).group(1).split()
         places = {"%i": recording, "%o": self.folder / "thumb", "%s": "128"}

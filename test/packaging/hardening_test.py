@@ -50,7 +50,7 @@ def elf_of(name, folder):
 
 class Hardening(unittest.TestCase):
     def test_presets_that_people_get(self):
-        for name in ("release", "package"):
+        for name in ("release", "wheel"):
             with self.subTest(preset=name), tempfile.TemporaryDirectory() as folder:
                 for kind, text in elf_of(name, Path(folder)).items():
                     for expected in ("GNU_RELRO", "BIND_NOW", "__stack_chk_fail", "__strcpy_chk", "DYN ("):

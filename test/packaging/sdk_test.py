@@ -7,6 +7,7 @@ import json
 import os
 import pty
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -131,6 +132,37 @@ class Template(unittest.TestCase):
             self.assertEqual(ctypes.c_double.from_buffer(memory, 168).value, torque)
             self.assertFalse(any(memory[size:]))
         plugin.destroy(device)
+
+    def find_package(self, prefix, wanted):
+        """Configures a project that asks for a release."""
+        project = self.folder / "asking"
+        shutil.rmtree(project, ignore_errors=True)
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(
+            f"cmake_minimum_required(VERSION 3.25)\nproject(asking LANGUAGES C)\nfind_package(Perilymph {wanted} REQUIRED)\n"
+            "perilymph_device_plugin(asking MyDevice.c)\n")
+        shutil.copy(self.copy / "MyDevice.c", project)
+        return run("cmake", "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}"), project / "build"
+
+    def test_a_project_made_for_this_release_builds_with_later_ones_that_keep_the_interface(self):
+        header = (self.prefix / "include/perilymph/device/PluginApi.h").read_text()
+        self.assertRegex(header, r"uint32_t version; /\* 1 \*/\n(?s:.*)\} PerilymphDeviceV1;")  # what later releases keep
+        place = "share/cmake/Perilymph/PerilymphConfigVersion.cmake"
+        this = re.search(r'^set\(PACKAGE_VERSION "(\d+)\.(\d+)\.\d+"\)', (self.prefix / place).read_text(), re.MULTILINE)
+        major, minor = int(this.group(1)), int(this.group(2))
+        for later in (f"{major}.{minor + 1}.0", f"{major + 1}.0.0"):
+            prefix = self.folder / f"prefix-{later}"
+            shutil.copytree(self.prefix, prefix)
+            version = prefix / place
+            version.write_text(version.read_text().replace(this.group(0), f'set(PACKAGE_VERSION "{later}")'))
+            configured, build = self.find_package(prefix, f"{major}.{minor}")
+            self.assertEqual(configured.returncode, 0, configured.stderr)
+            built = run("cmake", "--build", build)
+            self.assertEqual(built.returncode, 0, built.stdout + built.stderr)
+        # A release that is newer than the installed one may have appended members.
+        refused, _ = self.find_package(self.prefix, f"{major}.{minor + 1}")
+        self.assertNotEqual(refused.returncode, 0)
+        self.assertIn(f'compatible with requested version "{major}.{minor + 1}"', " ".join(refused.stderr.split()))
 
     def test_without_its_device_it_says_which_port_was_tried(self):
         done = run(PROGRAMS / "perilymph-cli", "devices", "--plugin", self.plugin,

@@ -162,7 +162,7 @@ std::vector<std::pair<std::string, std::string>> settingsOf(vtkDICOMMetaData& va
         DC::ManufacturerModelName, DC::BodyPartExamined, DC::Laterality, DC::ImageLaterality}) {
     std::string value = textIn(values.Get(tag));
     // a slice of a CT that states no unit is in Hounsfield units (DICOM PS3.3, C.11.1.1.2)
-    if (tag == vtkDICOMTag(DC::RescaleType) && value.empty()) value = "HU";
+    if (tag == DC::RescaleType && value.empty()) value = "HU";
     settings.emplace_back(nameOf(tag), std::move(value));
   }
   return settings;

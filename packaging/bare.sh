@@ -4,7 +4,7 @@
 # packaging/steps.sh.
 # shellcheck shell=bash
 
-readonly releases=(bookworm trixie)
+readonly releases=(bookworm trixie forky sid)
 
 # prepare_bare <release>: checks that it can be made here, and installs what makes it.
 prepare_bare()
@@ -16,11 +16,14 @@ prepare_bare()
 }
 
 # make_bare <release> <folder>: a system without anything that is not essential, and apt. It is thrown away
-# after a crash of the machine, so that dpkg need not wait for the disk.
+# after a crash of the machine, so that dpkg need not wait for the disk. Its apt takes package lists of the age that
+# this machine's takes: those of a mirror that stands still expire, of sid after a week.
 make_bare()
 {
+  local -a age
+  mapfile -t age < <(apt-config dump Acquire::Check-Valid-Until)
   rm -rf --one-file-system "${2:?}"
-  mmdebstrap --quiet --variant=minbase --dpkgopt=force-unsafe-io "$1" "$2"
+  mmdebstrap --quiet --variant=minbase --dpkgopt=force-unsafe-io "${age[@]/#/--aptopt=}" "$1" "$2"
 }
 
 # enter_bare <folder>: devices and processes for the commands of in_bare, until leave_bare.

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FILES = sorted((ROOT / "resources/translations").glob("*.ts"))
-LUPDATE = shutil.which("lupdate") or shutil.which("lupdate-qt5")
+LUPDATE = next(filter(None, map(shutil.which, ("lupdate", "lupdate-qt5", "lupdate6"))), None)
 
 
 def messages(file):
@@ -46,7 +46,7 @@ class Translations(unittest.TestCase):
                     self.assertLessEqual(set(places(form)), set(places(source)), f"{file.name}, {context}")
                     self.assertLessEqual(set(places(source)) - {"%n"}, set(places(form)), f"{file.name}, {context}")
 
-    @unittest.skipUnless(LUPDATE, "lupdate is not installed (Debian: qttools5-dev-tools).")
+    @unittest.skipUnless(LUPDATE, "lupdate is not installed (Debian: qttools5-dev-tools or qt6-l10n-tools).")
     def test_every_word_of_the_sources_is_in_the_files(self):
         for file in FILES:
             with tempfile.TemporaryDirectory() as folder:

@@ -19,11 +19,11 @@ def run(*words, **keys):
 
 
 def groups():
-    """Packages of each group of debian-packages.txt."""
+    """Packages of each group of debian-packages.txt, with those for the Qt of Debian 12 and 13, which control names."""
     found = {}
     for line in (ROOT / "packaging/debian-packages.txt").read_text().splitlines():
         if line.startswith("["):
-            names = found.setdefault(line.strip("[]"), set())
+            names = found.setdefault(line.strip("[]").removesuffix("-qt5"), set())
         elif line and not line.startswith("#"):
             names.add(line)
     return found

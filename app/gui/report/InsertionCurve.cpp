@@ -55,7 +55,7 @@ void paintThresholds(ReportSheet& sheet, const ReportChart& chart, const Thresho
   if (known.peaks_mN && known.peaks_mN->first < highest_mN) {
     const auto& [low, high] = *known.peaks_mN;
     QColor pale = thresholdInk;
-    pale.setAlphaF(0.10);
+    pale.setAlphaF(0.10f);
     painter.fillRect(QRectF(chart.at(0.0, std::min(high, highest_mN)), chart.at(deepest_mm, low)),
                      pale);
     write(tr("peaks in patients %1–%2 mN").arg(numberText(low, 0), numberText(high, 0)),
@@ -80,7 +80,7 @@ void paintPlan(ReportSheet& sheet, const ReportChart& chart, const PlannedForce&
     area << chart.at(each->depth_mm, each->high_mN);
   QPainter& painter = sheet.painter();
   QColor pale = planInk;
-  pale.setAlphaF(0.25);
+  pale.setAlphaF(0.25f);
   painter.setPen(Qt::NoPen);
   painter.setBrush(pale);
   painter.drawPolygon(area);

@@ -47,7 +47,7 @@ QPolygonF arrayOf(const haptics::Snapshot& now, const ScalaProjection& plane)
 /// The point of a line at a distance from its end [mm].
 QPointF fromTip(const QPolygonF& line, double length_mm)
 {
-  for (int i = line.size() - 1; i > 0; --i) {
+  for (auto i = line.size() - 1; i > 0; --i) {
     const QLineF piece(line[i], line[i - 1]);
     if (length_mm <= piece.length() && piece.length() > 0.0)
       return piece.pointAt(length_mm / piece.length());
@@ -67,7 +67,7 @@ void paintArray(QPainter& painter, const PicturedInsertion& pictured, const Scal
   };
   // thick at the base, thin at the tip: segments of constant width
   double before_mm = 0.0;
-  for (int i = line.size() - 1; i > 0; --i) {
+  for (auto i = line.size() - 1; i > 0; --i) {
     const double there_mm = std::min(before_mm, length_mm);
     painter.setPen(QPen(inks.array, diameterAt(there_mm), Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(line[i], line[i - 1]);

@@ -113,7 +113,7 @@ private:
       area << chart_.at(array.force[i].depth_mm, array.force[i].force_mN.*low);
     for (std::size_t i = rows.second; i-- > rows.first;)
       area << chart_.at(array.force[i].depth_mm, array.force[i].force_mN.*high);
-    ink.setAlphaF(opacity);
+    ink.setAlphaF(float(opacity));
     QPainter& painter = sheet_.painter();
     painter.setPen(Qt::NoPen);
     painter.setBrush(ink);

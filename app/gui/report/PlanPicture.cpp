@@ -71,7 +71,7 @@ void paintPath(QPainter& painter, const CochlearView& view, const Path& path,
   painter.setPen(QPen(ink, 0.09 * view.scale(), Qt::SolidLine, Qt::FlatCap));
   painter.drawPolyline(path.between(0.0, array.angle_deg.median));
   QColor pale = ink;
-  pale.setAlphaF(0.45);
+  pale.setAlphaF(0.45f);
   painter.setPen(QPen(pale, 0.30 * view.scale(), Qt::SolidLine, Qt::FlatCap));
   painter.drawPolyline(path.between(array.angle_deg.low, array.angle_deg.high));
   painter.setPen(Qt::NoPen);

@@ -159,7 +159,7 @@ QString parameters(const ReportContent& content, References& references)
   for (const auto& [name, value] : parametersOf(content.scenario))
     cells << cell(name.toHtmlEscaped(), "quiet") + cell(value.toHtmlEscaped());
   if (cells.size() % 2 == 1) cells << QString();
-  const int half = cells.size() / 2;
+  const int half = int(cells.size()) / 2;
   QStringList rows;
   for (int i = 0; i < half; ++i)
     rows << QStringLiteral("<tr>%1%2</tr>").arg(cells[i], cells[half + i]);

@@ -181,7 +181,7 @@ void SceneLabels::paintEvent(QPaintEvent*)
   painter.setRenderHint(QPainter::Antialiasing);
   const Theme& theme = shownTheme();
   QColor plate = theme.ground;
-  plate.setAlphaF(0.78);
+  plate.setAlphaF(0.78f);
   for (const PlacedLabel& label : labels_) {
     const QLineF leader = leaderLine(label.at, label.place);
     if (leader.isNull()) continue;

@@ -26,7 +26,7 @@ bool KeyActions::take(const QKeyEvent& event) const
 {
   const QKeySequence pressed = pressedKeys(event);
   for (const KeyAction& action : actions_) {
-    const int which = action.keys.indexOf(pressed);
+    const int which = int(action.keys.indexOf(pressed));
     if (which < 0) continue;
     if (event.isAutoRepeat() && !action.repeats) return true;
     if (action.act(which)) return true;

@@ -15,7 +15,7 @@ namespace {
 QColor printedColor(const figures::Ink& ink)
 {
   QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
-  color.setAlphaF(ink.opacity);
+  color.setAlphaF(float(ink.opacity));
   return color;
 }
 
@@ -24,8 +24,8 @@ QColor onDark(const QColor& color)
 {
   const double ground = shownTheme().ground.lightnessF(), text = shownTheme().text.lightnessF();
   const double lightness = ground + (1.0 - color.lightnessF()) * (text - ground);
-  return QColor::fromHslF(std::max(0.0, double(color.hslHueF())), color.hslSaturationF(), lightness,
-                          color.alphaF());
+  return QColor::fromHslF(std::max(0.0f, float(color.hslHueF())), float(color.hslSaturationF()),
+                          float(lightness), float(color.alphaF()));
 }
 
 QPolygonF polygonOf(const std::vector<figures::PagePoint>& points)

@@ -15,7 +15,8 @@ void markPlaceholder(QLineEdit& field, const QString& hint)
     QFont font = field.font();
     if (font.italic() == isEmpty) return;
     font.setItalic(isEmpty);
-    font.setWeight(isEmpty ? int(QFont::Normal) : weight);
+    font.setWeight(QFont::Normal);
+    if (!isEmpty) font.setWeight(weight);
     field.setFont(font);
     field.setProperty("hint", isEmpty);
     field.style()->unpolish(&field);

@@ -195,7 +195,7 @@ QFont typeface(int size_px, QFont::Weight weight)
 QColor colorOf(const figures::Ink& ink)
 {
   QColor color(ink.rgb[0], ink.rgb[1], ink.rgb[2]);
-  color.setAlphaF(ink.opacity);
+  color.setAlphaF(float(ink.opacity));
   return color;
 }
 
@@ -244,7 +244,7 @@ QString withSmallerMargins(const QString& style)
 {
   static const QRegularExpression length(QStringLiteral("\\b(\\d+)px"));
   QString scaled;
-  int from = 0;
+  decltype(style.size()) from = 0;
   for (auto each = length.globalMatch(style); each.hasNext();) {
     const QRegularExpressionMatch found = each.next();
     const int size_px = found.captured(1).toInt();

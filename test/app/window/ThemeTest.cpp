@@ -62,7 +62,7 @@ TEST_P(EveryColorScheme, WritesOverThePictureSoThatItCanBeReadOverAnything)
   const double cover = gui::plateAlpha / 255.0;
   for (const QColor& behind : {QColor(Qt::white), QColor(Qt::black)}) {
     const auto over = [cover](double plate, double back) {
-      return cover * plate + (1.0 - cover) * back;
+      return float(cover * plate + (1.0 - cover) * back);
     };
     const QColor plate = QColor::fromRgbF(over(theme.ground.redF(), behind.redF()),
                                           over(theme.ground.greenF(), behind.greenF()),

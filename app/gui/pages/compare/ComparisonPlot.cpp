@@ -201,7 +201,7 @@ void ComparisonPlot::paintBands(QPainter& painter) const
     for (std::size_t i = 0; i < curve.points.size(); ++i) band << at(curve.points[i], curve.sd[i]);
     for (std::size_t i = curve.points.size(); i-- > 0;) band << at(curve.points[i], -curve.sd[i]);
     QColor tint = curve.pen.color();
-    tint.setAlphaF(0.18);
+    tint.setAlphaF(0.18f);
     painter.setBrush(tint);
     painter.drawPolygon(band);
   }
@@ -298,7 +298,7 @@ void ComparisonPlot::paintValues(QPainter& painter) const
       isRight ? inside.right() - fromCursor_px - width_px : inside.left() + fromCursor_px,
       inside.top() + 2.0, width_px, rows * row_px + gap_px);
   QColor ground = shownTheme().ground;
-  ground.setAlphaF(0.88);  // curves behind it remain visible
+  ground.setAlphaF(0.88f);  // curves behind it remain visible
   painter.setPen(QPen(shownTheme().line, 1.0));
   painter.setBrush(ground);
   painter.drawRoundedRect(box, 3.0, 3.0);

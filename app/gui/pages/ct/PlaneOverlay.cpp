@@ -433,9 +433,9 @@ void paintOverlay(QPainter& painter, const QSize& size, const CtStudy& study, st
   for (const Letters& each : letters) taken.push_back(each.area);
   QStringList cursor;
   if (state.cursor) cursor = cursorText(study, *state.cursor);
-  const double line = metrics.height();
-  const QRectF cursorArea(spacing, size.height() - spacing - line * cursor.size(),
-                          widestOf(metrics, cursor), line * cursor.size());
+  const double cursorHeight = metrics.height() * double(cursor.size());
+  const QRectF cursorArea(spacing, size.height() - spacing - cursorHeight,
+                          widestOf(metrics, cursor), cursorHeight);
   if (!cursor.isEmpty()) taken.push_back(cursorArea);
   Labels labels(painter, pane);
   paintMarks(painter, study, project, state.dragged, labels);

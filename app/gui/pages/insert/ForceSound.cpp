@@ -8,9 +8,7 @@
 #include "perilymph/foundation/RealTime.h"
 
 #if PERILYMPH_HAS_SOUND
-#include <QAudioDeviceInfo>
-#include <QAudioFormat>
-#include <QAudioOutput>
+#include "gui/pages/insert/AudioOutput.h"
 #endif
 
 namespace perilymph::gui {
@@ -24,10 +22,7 @@ QAudioFormat format()
   QAudioFormat wanted;
   wanted.setSampleRate(ToneWriter::samplesPerSecond);
   wanted.setChannelCount(1);
-  wanted.setSampleSize(16);
-  wanted.setSampleType(QAudioFormat::SignedInt);
-  wanted.setByteOrder(QAudioFormat::LittleEndian);
-  wanted.setCodec(QStringLiteral("audio/pcm"));
+  setSigned16Bit(wanted);
   return wanted;
 }
 
@@ -59,7 +54,7 @@ class ForceVoice : public QObject {
 public:
   QString reason() const
   {
-    const QAudioDeviceInfo output = QAudioDeviceInfo::defaultOutputDevice();
+    const AudioDevice output = defaultAudioOutput();
     if (output.isNull()) return ForceSound::tr("no audio device");
     if (!output.isFormatSupported(format()))
       return ForceSound::tr("audio device does not support 16 bit at 44.1 kHz");
@@ -70,7 +65,7 @@ public:
   {
     if (isOn && output_ == nullptr) {
       stream_ = new Stream(this);
-      output_ = new QAudioOutput(QAudioDeviceInfo::defaultOutputDevice(), format(), this);
+      output_ = new AudioOutput(defaultAudioOutput(), format(), this);
       output_->start(stream_);
     } else if (!isOn && output_ != nullptr) {
       output_->stop();
@@ -88,7 +83,7 @@ public:
 
 private:
   Stream* stream_ = nullptr;
-  QAudioOutput* output_ = nullptr;
+  AudioOutput* output_ = nullptr;
 };
 
 #else

@@ -36,7 +36,7 @@ MeasureVersionList::MeasureVersionList(QWidget* parent) : QTableWidget(0, 0, par
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QStringList heads{tr("Saved"), tr("How")};
   for (const QString& each : comparedNames()) heads << tr("%1, mm").arg(each);
-  setColumnCount(heads.size());
+  setColumnCount(int(heads.size()));
   setHorizontalHeaderLabels(heads);
   horizontalHeader()->setFont(typeface(11));
   horizontalHeader()->setHighlightSections(false);

@@ -50,9 +50,10 @@ QImage onLight(const QImage& dark)
     for (int x = 0; x < light.width(); ++x) {
       const QColor color = light.pixelColor(x, y);
       const double lightness = card * (1.0 - color.lightnessF()) / (1.0 - ground);
-      light.setPixelColor(x, y,
-                          QColor::fromHslF(std::max(0.0, double(color.hslHueF())),
-                                           color.hslSaturationF(), std::min(lightness, card)));
+      light.setPixelColor(
+          x, y,
+          QColor::fromHslF(std::max(0.0f, float(color.hslHueF())), float(color.hslSaturationF()),
+                           float(std::min(lightness, card))));
     }
   return light;
 }

@@ -92,6 +92,8 @@ Database::~Database() = default;
 
 const std::string& Database::note() const noexcept { return content_->note; }
 
+bool Database::isShared() const noexcept { return content_->isShared; }
+
 std::int64_t Database::version() const noexcept { return content_->version; }
 
 Result<void> Database::run(const std::string& sql)

@@ -170,9 +170,9 @@ Result<void> replay(const ReplayOptions& options)
 {
   auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
-  if (!recorded->note().empty()) printError("{}\n", recorded->note());
   Result<void> doubt;
-  if (!options.verifies) {  // verifyBits() checks it itself
+  if (!options.verifies) {  // verifyBits() checks it itself, and prints the note
+    if (!recorded->note().empty()) printError("{}\n", recorded->note());
     if (const auto check = recorded->check(); !check) {
       const auto sound = keepSoundPart(*recorded);
       if (!sound) return check.error();

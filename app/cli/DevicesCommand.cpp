@@ -87,7 +87,10 @@ void printPlugin(const device::FoundPlugin& plugin)
   if (!plugin.isUsable())
     return print("    {}\n", static_cast<const std::string&>(plugin.obstacle));
   print("    A plug-in: {}\n", ability(plugin.traits));
-  print("    It may be opened.\n");
+  print(
+      "    It was loaded. Whether its device is connected shows when it is opened: 'perilymph-cli "
+      "devices --plugin {}'.\n",
+      plugin.file);
 }
 
 Json described(const device::FoundPlugin& plugin)
@@ -349,17 +352,33 @@ Result<FoundDevice> deviceCalled(const device::DeviceSurvey& survey, const std::
   return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
 }
 
+/// The outcome of a test as the command's status: an error if it was not passed.
+Result<void> verdictOn(const TrialOutcome& trial, const std::string& name)
+{
+  const std::string shortcoming = trial.shortcoming();
+  if (shortcoming.empty()) return {};
+  return Error{"%1 did not pass the test: %2.", name, shortcoming};
+}
+
+/// Writes a report, if it was requested, whatever the outcome.
+Result<void> finish(const Result<void>& outcome, Json json, const std::string& file)
+{
+  if (file.empty()) return outcome;
+  if (!outcome) json["error"] = static_cast<const std::string&>(outcome.error().message);
+  const auto written = writeWhole(file, jsonText(json));
+  return written ? outcome : written;
+}
+
 /// Tests a plug-in, independently of HID devices.
 Result<void> tryOut(const std::filesystem::path& plugin, const std::string& file)
 {
+  Json json = {{"version", version()}, {"plugin", plugin.string()}};
   const auto trial = tryPlugin(plugin);
-  if (!trial) return trial.error();
+  if (!trial) return finish(trial.error(), json, file);
   printTrial(*trial);
   printVerdict(*trial);
-  if (file.empty()) return {};
-  const Json json = {
-      {"version", version()}, {"plugin", plugin.string()}, {"test", described(*trial)}};
-  return writeWhole(file, jsonText(json));
+  json["test"] = described(*trial);
+  return finish(verdictOn(*trial, trial->traits.name), json, file);
 }
 
 Result<void> tryOut(const FoundDevice& found, const DevicesOptions& options, Json& json)
@@ -371,10 +390,11 @@ Result<void> tryOut(const FoundDevice& found, const DevicesOptions& options, Jso
   if (found.known) json["test"]["profile"] = found.known->file;
   printTrial(*trial);
   printVerdict(*trial);
-  if (!trial->health || trial->health->reading.fresh > 0) return {};
-  return Error{found.name() +
-               " sent no report during the test, so nothing was tested. Move it; check its cable "
-               "and, in its profile, 'reporting' and [input]."};
+  if (trial->health && trial->health->reading.fresh == 0)
+    return Error{found.name() +
+                 " sent no report during the test, so nothing was tested. Move it; check its cable "
+                 "and, in its profile, 'reporting' and [input]."};
+  return verdictOn(*trial, found.name());
 }
 
 void printAll(const device::DeviceSurvey& survey, const std::vector<device::FoundPlugin>& plugins)
@@ -422,8 +442,9 @@ Result<void> devices(const DevicesOptions& options)
     const auto found = deviceCalled(survey, options.test);
     if (!found) {
       const auto plugins = device::surveyPlugins();
-      if (const auto* plugin = device::pluginNamed(plugins, options.test))
-        return tryOut(plugin->file, options.json);
+      const auto chosen = device::pluginNamed(plugins, options.test);
+      if (!chosen) return chosen.error();
+      if (*chosen != nullptr) return tryOut((*chosen)->file, options.json);
       std::string names;
       for (const device::FoundPlugin& plugin : plugins)
         if (plugin.isUsable())
@@ -431,11 +452,8 @@ Result<void> devices(const DevicesOptions& options)
       return Error{found.error().message + names + (names.empty() ? "" : ".")};
     }
     outcome = tryOut(*found, options, json);
-    if (!json.contains("test")) return outcome;
   }
-  if (options.json.empty()) return outcome;
-  const auto written = writeWhole(options.json, jsonText(json));
-  return written ? outcome : written;
+  return finish(outcome, json, options.json);
 }
 
 }  // namespace perilymph::cli

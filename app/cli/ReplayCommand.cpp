@@ -58,7 +58,9 @@ void printContent(const session::RecordedInsertion& recorded, const analysis::Fo
   print("{}, recorded {} by {} ({})\n", facts.scenarioName, facts.startedUtc, facts.buildId,
         facts.device);
   print("{:18} {}, lost {}, {}\n", "samples", profile.ticks, recorded.lostRecords(),
-        recorded.wasClosed() ? "closed properly" : "not closed: interrupted");
+        recorded.wasClosed()        ? "closed properly"
+        : recorded.isBeingWritten() ? "still being recorded"
+                                    : "not closed: interrupted");
   print("{:18} {} mN at {} mm travel\n", "peak force", fixed(1e3 * profile.peak.force, 1),
         fixed(inMillimeters(meters(profile.peak.travel)), 1));
   print("{:18} travel {} mm, insertion depth {} mm\n", "at the end",
@@ -145,18 +147,41 @@ Result<void> writeThumbnail([[maybe_unused]] const analysis::ForceProfile& profi
 #endif
 }
 
+/// Restricts a recording that cannot be read to its end to the ticks before the damage.
+///
+/// @return  What is missing, as an error for after the exports; none if no tick can be read.
+std::optional<Error> keepSoundPart(session::RecordedInsertion& recorded)
+{
+  std::uint64_t last = 0, ticks = 0;
+  const auto read = recorded.forEach([&](const haptics::TickRecord& record) {
+    last = record.tick;
+    return ++ticks > 0;
+  });
+  if (read || ticks == 0) return std::nullopt;
+  recorded.endAfter(last);
+  return Error{
+      "%1 The %2 samples up to tick %3 can be read and were used; those after it are lost.",
+      std::string(read.error().message), ticks, last};
+}
+
 }  // namespace
 
 Result<void> replay(const ReplayOptions& options)
 {
-  const auto recorded = session::RecordedInsertion::open(options.file);
+  auto recorded = session::RecordedInsertion::open(options.file);
   if (!recorded) return recorded.error();
-  if (!recorded->note().empty()) printError("{}\n", recorded->note());
-  if (!options.verifies) {  // verifyBits() checks it itself
-    const auto check = recorded->check();
-    if (!check) return check.error();
-    if (const std::string note = noteOn(*check, options.file); !note.empty())
+  Result<void> doubt;
+  if (!options.verifies) {  // verifyBits() checks it itself, and prints the note
+    if (!recorded->note().empty()) printError("{}\n", recorded->note());
+    if (const auto check = recorded->check(); !check) {
+      const auto sound = keepSoundPart(*recorded);
+      if (!sound) return check.error();
+      doubt = *sound;
+    } else if (!check->damage.empty()) {
+      doubt = Error{noteOn(*check, options.file)};
+    } else if (const std::string note = noteOn(*check, options.file); !note.empty()) {
       printError("{}\n", note);
+    }
   }
   if (!options.csv.empty())
     if (const auto done = writeRows(*recorded, options.csv); !done) return done.error();
@@ -173,7 +198,7 @@ Result<void> replay(const ReplayOptions& options)
     if (const auto done = writeThumbnail(*profile, options); !done) return done.error();
   if (options.verifies) return verifyBits(options.file);
   printContent(*recorded, *profile);
-  return {};
+  return doubt;
 }
 
 }  // namespace perilymph::cli

@@ -75,7 +75,8 @@ Recording readRecording(const py::object& given, double every_ms, bool check)
       if (!checked) return checked.error();
       if (!checked->damage.empty())
         return Error{file + " does not contain what was recorded: " + checked->damage +
-                     ". Use another copy of the recording."};
+                     ". Use another copy of the recording, or read this one as it is with "
+                     "check=False."};
     }
     const auto done = recorded->forEach([&](const haptics::TickRecord& tick) {
       columns.add(tick);
@@ -184,11 +185,14 @@ void defineRecording(py::module_& module)
   defineIdentity(kind,
                  [](const Recording& one) { return std::string(bytesOf(recordingState(one))); });
 
-  module.def("read_recording", &readRecording, py::arg("file"), py::kw_only(),
-             py::arg("every_ms") = 0.0, py::arg("check") = false,
-             "Reads a recording.\n\nevery_ms: interval between rows of the columns [ms]; 0: every "
-             "tick.\ncheck: whether the whole file is compared with its hash first.\n\n"
-             "The interpreter's lock is released while it reads; Ctrl+C ends it.");
+  module.def(
+      "read_recording", &readRecording, py::arg("file"), py::kw_only(), py::arg("every_ms") = 0.0,
+      py::arg("check") = true,
+      "Reads a recording.\n\nevery_ms: interval between rows of the columns [ms]; 0: every "
+      "tick.\ncheck: whether the whole file is compared with its seal first; one that was changed "
+      "after it was recorded is an error. Without it, values that anybody changed are "
+      "returned as they are.\n\n"
+      "The interpreter's lock is released while it reads; Ctrl+C ends it.");
 }
 
 }  // namespace perilymph::python

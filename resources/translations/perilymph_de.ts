@@ -1907,10 +1907,6 @@
         <translation>Seine größte Kraft ist %1 N; sie muss zwischen 0,01 und 50 liegen.</translation>
     </message>
     <message>
-        <source>one of its traits is negative or not a number.</source>
-        <translation>Eine seiner Eigenschaften ist negativ oder keine Zahl.</translation>
-    </message>
-    <message>
         <source>it counts %1 axes; there are 0 to 3 of a sort.</source>
         <translation>Es zählt %1 Achsen; es gibt 0 bis 3 jeder Art.</translation>
     </message>
@@ -4801,6 +4797,74 @@
     <message>
         <source>the block of tick %1 cannot be read</source>
         <translation>der Block des Takts %1 kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 is not that of %2 and would spoil it. Move it to another folder.</source>
+        <translation>%1 gehört nicht zu %2 und würde die Datei verderben. Verschieben Sie sie in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 plug-ins are named %2: %3. Give the path of one of them.</source>
+        <translation>%1 Plug-ins heißen %2: %3. Geben Sie den Pfad eines davon an.</translation>
+    </message>
+    <message>
+        <source>%1 may replace it, because the folder %2 is theirs, and it would run with your rights. Copy it to a folder of your own.</source>
+        <translation>%1 darf die Datei ersetzen, da der Ordner %2 diesem Benutzer gehört, und sie liefe mit Ihren Rechten. Kopieren Sie sie in einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 may change it, because it is theirs, and it would run with your rights. Copy it to a folder of your own.</source>
+        <translation>%1 darf die Datei ändern, da sie diesem Benutzer gehört, und sie liefe mit Ihren Rechten. Kopieren Sie sie in einen eigenen Ordner.</translation>
+    </message>
+    <message>
+        <source>It did not answer within %1 s while it was opened, and its plug-in was ended. The force is off. Check its power and its cable; if that recurs, tell the maker of the plug-in.</source>
+        <translation>Das Gerät antwortete beim Öffnen nicht innerhalb von %1 s, und sein Plug-in wurde beendet. Die Kraft ist aus. Prüfen Sie Stromversorgung und Kabel; kommt das wieder vor, melden Sie es dem Hersteller des Plug-ins.</translation>
+    </message>
+    <message>
+        <source>it did not answer within %1 s while it was loaded, and was ended. Tell its maker.</source>
+        <translation>es antwortete beim Laden nicht innerhalb von %1 s und wurde beendet. Melden Sie es seinem Hersteller.</translation>
+    </message>
+    <message>
+        <source>the name of its device has a line break or another control character.</source>
+        <translation>der Name seines Geräts enthält einen Zeilenumbruch oder ein anderes Steuerzeichen.</translation>
+    </message>
+    <message>
+        <source>its %1 is %2 %3; it must be between 0 and %4.</source>
+        <translation>es gibt als %1 %2 %3 an; zulässig ist 0 bis %4.</translation>
+    </message>
+    <message>
+        <source>it renders force and has no button: a force is only rendered while a button is held, and goes to zero when it is let go. State at least 1.</source>
+        <translation>es gibt Kraft aus und hat keine Taste: Kraft wird nur ausgegeben, solange eine Taste gehalten wird, und geht auf null, wenn sie losgelassen wird. Geben Sie mindestens 1 an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Make space on its disk, or name a file on another one.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Schaffen Sie Platz auf dem Datenträger, oder nennen Sie eine Datei auf einem anderen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a file: a table of SQLite cannot go into a folder, a pipe or a device. Name a file.</source>
+        <translation>%1 ist keine Datei: Eine SQLite-Tabelle kann nicht in einen Ordner, eine Pipe oder ein Gerät geschrieben werden. Nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>workspace radius</source>
+        <translation>Radius des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>position quantum</source>
+        <translation>Auflösung der Position</translation>
+    </message>
+    <message>
+        <source>force quantum</source>
+        <translation>Auflösung der Kraft</translation>
+    </message>
+    <message>
+        <source>transport delay</source>
+        <translation>Übertragungsverzögerung</translation>
+    </message>
+    <message>
+        <source>watchdog</source>
+        <translation>Watchdog-Zeit</translation>
     </message>
 </context>
 <context>
@@ -10175,6 +10239,25 @@
     </message>
 </context>
 <context>
+    <name>perilymph::gui::InsertionController</name>
+    <message>
+        <source>The chosen device is not open, so that Start would insert by the script. Press Reset to open the device again, or choose the script as the input.</source>
+        <translation>Das gewählte Gerät ist nicht geöffnet; „Start“ würde automatisch inserieren. „Zurücksetzen“ drücken, um das Gerät erneut zu öffnen, oder die automatische Insertion als Eingabe wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is being opened.</source>
+        <translation>%1 wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 has not answered for %2 s. Check its power and its cable, or cancel.</source>
+        <translation>%1 antwortet seit %2 s nicht. Prüfen Sie Stromversorgung und Kabel, oder brechen Sie ab.</translation>
+    </message>
+    <message>
+        <source>The device was not opened. The input is the scripted insertion.</source>
+        <translation>Das Gerät wurde nicht geöffnet. Die Eingabe ist die automatische Insertion.</translation>
+    </message>
+</context>
+<context>
     <name>perilymph::gui::InsertionViews</name>
     <message>
         <source>not supported by this display</source>
@@ -10401,6 +10484,10 @@ verwenden</translation>
     <message>
         <source>Building the cochlea: %1</source>
         <translation>Die Cochlea wird aufgebaut: %1</translation>
+    </message>
+    <message>
+        <source>The scripted insertion remains the input (Esc)</source>
+        <translation>Die automatische Insertion bleibt die Eingabe (Esc)</translation>
     </message>
 </context>
 <context>

@@ -220,7 +220,7 @@ class Guide(unittest.TestCase):
             listed = outputs["perilymph-cli devices"]
             self.assertIn(f"{data_home}/perilymph/plugins/my-device.so  My device", listed)
             self.assertIn("3 shifts and 3 turns sensed, force on 3 axes up to 1.0 N, torque on 3 axes up to 50 mN.m", listed)
-            self.assertIn("It may be opened.", listed)
+            self.assertIn("It was loaded.", listed)
             tested = outputs["perilymph-cli devices --test my-device"]
             self.assertRegex(tested, r"result +passed")
             self.assertRegex(tested, r"force +rendered on 6 of 6 axes")

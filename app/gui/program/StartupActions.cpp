@@ -44,6 +44,17 @@ void takeScreenshotLater(QWidget& window, const CommandLine& options)
                      [&window, file = *options.screenshot] { takeScreenshot(window, file); });
 }
 
+/// Starts with the device that the command line names, which may still be opened in the background.
+void startOnceOpened(InsertionController& insertion)
+{
+  if (insertion.openingText().isEmpty()) return insertion.start();
+  auto* waiting = new QObject(&insertion);
+  QObject::connect(&insertion, &InsertionController::prepared, waiting, [&insertion, waiting] {
+    waiting->deleteLater();
+    if (insertion.control().input() == InputSource::device) insertion.start();
+  });
+}
+
 }  // namespace
 
 void arrangeStartupActions(MainWindow& window, const CommandLine& options)
@@ -55,7 +66,7 @@ void arrangeStartupActions(MainWindow& window, const CommandLine& options)
     if (isDemo) {
       std::printf("first frame after %.1f s\n", processUptime_s());
       std::fflush(stdout);
-      if (!options.measuresFrames) window.insertion().start();
+      if (!options.measuresFrames) startOnceOpened(window.insertion());
     }
     if (options.measuresFrames && options.study)
       measureStudyFrames(window, *options.study);

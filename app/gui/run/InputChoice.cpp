@@ -34,7 +34,10 @@ InsertionControl::DeviceFactory factoryOf(const device::FoundDevice& found)
 
 InsertionControl::DeviceFactory factoryOf(const std::filesystem::path& plugin)
 {
-  return [plugin]() -> Made { return device::loadPluginDevice(plugin); };
+  return InsertionControl::DeviceFactory::slow(
+      plugin.stem().string(), [plugin](const std::stop_token& stop) -> Made {
+        return device::loadPluginDevice(plugin, device::patienceForLoading, stop);
+      });
 }
 
 }  // namespace
@@ -70,15 +73,20 @@ std::optional<InsertionControl::DeviceFactory> rememberedInput()
 
 InsertionControl::DeviceFactory inputNamed(const std::string& name)
 {
-  return [name]() -> Made {
+  const auto search = [name](const std::stop_token& stop) -> Made {
     const device::SystemRoots roots = device::systemRoots();
     const auto found = device::findDevice(device::surveyDevices(roots), name);
     if (found) return device::makeHidDevice(*found, roots);
     const auto plugins = device::surveyPlugins();
-    const device::FoundPlugin* const plugin = device::pluginNamed(plugins, name);
-    if (plugin == nullptr) return found.error();
-    return device::loadPluginDevice(plugin->file);
+    const auto plugin = device::pluginNamed(plugins, name);
+    if (!plugin) return plugin.error();
+    if (*plugin == nullptr) return found.error();
+    return device::loadPluginDevice((*plugin)->file, device::patienceForLoading, stop);
   };
+  // only plug-ins take long
+  if (device::findDevice(device::surveyDevices(device::systemRoots()), name))
+    return [search] { return search({}); };
+  return InsertionControl::DeviceFactory::slow(name, search);
 }
 
 }  // namespace perilymph::gui

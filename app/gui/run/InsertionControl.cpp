@@ -49,6 +49,13 @@ void InsertionControl::use(session::Scenario scenario, const std::optional<Parts
 
 Result<void> InsertionControl::prepare(InputSource input)
 {
+  const auto done = prepareOnce(input);
+  opened_.reset();
+  return done;
+}
+
+Result<void> InsertionControl::prepareOnce(InputSource input)
+{
   // A requested file name is kept for the first insertion that runs.
   const bool waits = record_ && insertion_ && prepared_ == 1 && !isRunning_;
   const auto waiting = waits ? recording() : std::nullopt;
@@ -93,7 +100,18 @@ void InsertionControl::choose(const device::FoundDevice& found)
 
 void InsertionControl::choose(const std::filesystem::path& plugin)
 {
-  chosen_ = [plugin] { return device::loadPluginDevice(plugin); };
+  chosen_ = DeviceFactory::slow(plugin.stem().string(), [plugin](const std::stop_token& stop) {
+    return device::loadPluginDevice(plugin, device::patienceForLoading, stop);
+  });
+}
+
+InsertionControl::DeviceFactory InsertionControl::DeviceFactory::slow(
+    std::string name, std::function<Made(const std::stop_token&)> make)
+{
+  DeviceFactory factory = [make] { return make({}); };
+  factory.slowName = std::move(name);
+  factory.make = std::move(make);
+  return factory;
 }
 
 Result<void> InsertionControl::build(InputSource input, std::optional<std::filesystem::path> file)
@@ -105,9 +123,12 @@ Result<void> InsertionControl::build(InputSource input, std::optional<std::files
     device = std::make_shared<device::ScriptedDevice>(scenario_.speed().si(), timeStep);
   } else if (input == InputSource::device) {
     if (!chosen_) return Error{"No device was chosen. Press H and choose one."};
-    auto made = chosen_();
-    if (!made) return made.error();
-    device = *std::move(made);
+    device = opened_;
+    if (!device) {
+      auto made = chosen_();
+      if (!made) return made.error();
+      device = *std::move(made);
+    }
   } else {
     device = pointer = std::make_shared<device::PointerDevice>(timeStep);
   }
@@ -351,7 +372,7 @@ std::string InsertionControl::inputName() const
   return insertion_ ? insertion_->device().traits().name : std::string();
 }
 
-std::optional<device::DeviceHealth> InsertionControl::deviceHealth()
+std::optional<device::DeviceHealth> InsertionControl::deviceHealth() const
 {
   return insertion_ ? insertion_->device().health() : std::nullopt;
 }

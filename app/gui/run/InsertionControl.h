@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "gui/run/CochleaStore.h"
@@ -62,10 +63,20 @@ public:
   void disableRecording() { keepsNothing_ = true; }
 
   /// Makes a device that is not yet open.
-  using DeviceFactory = std::function<Result<std::unique_ptr<device::HapticDevice>>()>;
+  struct DeviceFactory : std::function<Result<std::unique_ptr<device::HapticDevice>>()> {
+    using Made = Result<std::unique_ptr<device::HapticDevice>>;
+    using function::function;
+    /// One that may take seconds to make and open, as a plug-in: not in the window's thread.
+    static DeviceFactory slow(std::string name, std::function<Made(const std::stop_token&)> make);
+
+    std::string slowName = {};                         ///< Empty of others.
+    std::function<Made(const std::stop_token&)> make;  ///< The same, and can be stopped.
+  };
 
   /// Sets the device that the next prepare(InputSource::device) opens.
   void choose(DeviceFactory device) { chosen_ = std::move(device); }
+  /// Sets a device that was made and opened elsewhere, for the next prepare(InputSource::device) alone.
+  void takeOpened(std::shared_ptr<device::HapticDevice> device) { opened_ = std::move(device); }
   const DeviceFactory& chosen() const noexcept { return chosen_; }
   void choose(const device::FoundDevice& found);
   /// The same for the device of a plug-in (a shared library).
@@ -126,7 +137,7 @@ public:
   const session::Scenario& scenario() const noexcept { return scenario_; }
   std::string inputName() const;
   /// Health of the device; empty without hardware.
-  std::optional<device::DeviceHealth> deviceHealth();
+  std::optional<device::DeviceHealth> deviceHealth() const;
   /// Stops the loop and returns its timing statistics. Ends the insertion.
   haptics::LoopStatistics halt();
   /// A message if the device cannot render the requested coupling; else empty.
@@ -141,6 +152,7 @@ public:
 private:
   enum class PendingRequest { rest, insert, withdraw };
 
+  Result<void> prepareOnce(InputSource input);
   std::filesystem::path nextRecording();
   void discard();
   Result<void> build(InputSource input, std::optional<std::filesystem::path> file);
@@ -160,6 +172,7 @@ private:
   std::unique_ptr<session::Insertion> insertion_;
   std::shared_ptr<device::PointerDevice> pointer_;  ///< The insertion's device, if it is one.
   DeviceFactory chosen_;
+  std::shared_ptr<device::HapticDevice> opened_;
   InputSource input_ = InputSource::scripted;
   PendingRequest wish_ = PendingRequest::rest;
   bool isRunning_ = false;

@@ -162,6 +162,7 @@ void MainWindow::takePicture() { notice_->showMessage(keepPicture(*this)); }
 
 void MainWindow::leave()
 {
+  if (insertion_->cancelOpening()) return;
   if (insertion_->setup().cancel() || sheets_->help().leaveGuide() || insert_->leavePanel()) return;
   if (sheets_->leave()) return;
   if (insert_->isShown() && insertion_->rest()) return;

@@ -1,23 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// The files beside a database, which SQLite reads and trusts.
+// The files beside a database, which SQLite takes for its own.
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "perilymph/foundation/Result.h"
 
 namespace perilymph::database {
 
-/// The files left beside a database that was not closed.
+/// Content of the beginning of a database file.
+struct FileHeader {
+  bool isDatabase = false;
+  bool isWhole = true;    ///< The file has the length its header states.
+  bool usesLog = false;   ///< Its newest content may be in a `-wal` file: it was not closed.
+  std::string firstPage;  ///< As far as the file has it.
+};
+
+/// Reads it through SQLite: to open and close the file beside SQLite would take the locks away that
+/// another connection of this process holds on it (SQLite, "How To Corrupt", section 2.2).
+FileHeader readHeader(const std::filesystem::path& file);
+
+/// What lies beside a database.
 struct Companions {
-  bool hasLog = false;     ///< There is a nonempty `-wal` file.
-  bool areToRead = false;  ///< Recovery is needed: SQLite must be allowed to write.
+  bool isLogThere = false;         ///< There is a `-wal` file.
+  bool hasLog = false;             ///< It is not empty.
+  bool hasForeignLog = false;      ///< Not that of this file, whatever it holds.
+  bool hasForeignJournal = false;  ///< There is a `-journal` file of another file.
 };
 
 /// Inspects the companion files before SQLite opens them. Refuses what no database of this program
 /// has: companions that are links or no regular files, and a `-journal` that names a further file
 /// (see OwnFilesOnly.h).
-Result<Companions> companionsOf(const std::filesystem::path& database);
+///
+/// A `-wal` file belongs to no file that was closed, and not to one of another page size. A `-journal`
+/// is left beside a file of this program only where its log begins or ends: it holds the first page alone,
+/// which differs in no row.
+Result<Companions> companionsOf(const std::filesystem::path& database, const FileHeader& header);
 
 }  // namespace perilymph::database

@@ -82,7 +82,7 @@ Error Database::Content::error(const Sentence& reason) const
 
 Result<void> Database::Content::open(const fs::path& place, Access access)
 {
-  const char* vfs = ownFilesOnly();
+  const char* vfs = access == Access::write ? ownFilesOnly() : withoutJournals();
   if (vfs == nullptr) return Error{"SQLite cannot be set up"};
   const bool isImmutable = access == Access::immutable;
   const int flags = SQLITE_OPEN_URI | SQLITE_OPEN_FULLMUTEX | SQLITE_OPEN_NOFOLLOW |
@@ -97,6 +97,13 @@ Result<void> Database::Content::open(const fs::path& place, Access access)
   sqlite3_busy_timeout(opened, 2000);
   sqlite3_progress_handler(opened, instructionsBetween, progressed, watch.get());
   distrust(opened);
+  if (access != Access::trial) return {};
+  int ignored = 0;
+  sqlite3_db_config(opened, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, &ignored);
+  // The index of the log is then in memory.
+  sqlite3_exec(opened, "PRAGMA wal_autocheckpoint=0; PRAGMA locking_mode=EXCLUSIVE", nullptr,
+               nullptr, nullptr);
+  sqlite3_busy_timeout(opened, 100);  // others that try it are soon done
   return {};
 }
 

@@ -31,12 +31,15 @@ struct Database::Content {
   std::filesystem::path file;
   Sentence remedy;  ///< FileKind::remedy.
   std::string note;
+  bool isShared = false;
   std::int64_t version = 0;
   std::unique_ptr<Watch> watch = std::make_unique<Watch>();  ///< SQLite keeps its address.
   std::unique_ptr<sqlite3, Close> database;
 
   enum class Access {
-    readWrite,  ///< Recovers the content of a `-wal` file after a crash.
+    write,      ///< Adds to the file.
+    recovery,   ///< Reads it with its `-wal` file, which the last connection merges into it.
+    trial,      ///< The same for this connection alone, and nothing is written.
     immutable,  ///< Reads the file alone, without locks or other files.
   };
   Result<void> open(const std::filesystem::path& place, Access access);

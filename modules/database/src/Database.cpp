@@ -102,6 +102,8 @@ Result<Database> Database::inMemory()
 
 const std::string& Database::note() const noexcept { return content_->note; }
 
+bool Database::isShared() const noexcept { return content_->isShared; }
+
 std::int64_t Database::version() const noexcept { return content_->version; }
 
 Result<void> Database::run(const std::string& sql)

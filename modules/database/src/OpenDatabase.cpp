@@ -5,10 +5,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <array>
-#include <fstream>
+#include <cstring>
+#include <memory>
+#include <optional>
 #include <stop_token>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "Companions.h"
 #include "Content.h"
@@ -19,45 +21,6 @@ namespace perilymph::database {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Content of the header of a file.
-struct FileHeader {
-  bool isDatabase = false;
-  bool isWhole = true;  ///< The file has the length its header states.
-};
-
-std::uint64_t bigEndian(const std::array<unsigned char, 100>& bytes, std::size_t first,
-                        std::size_t count)
-{
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < count; ++i) value = value << 8 | bytes[first + i];
-  return value;
-}
-
-/// Reads SQLite's header of 100 bytes (SQLite file format, section 1.3).
-FileHeader readHeader(const fs::path& file)
-{
-  std::array<unsigned char, 100> bytes{};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
-  constexpr std::string_view magic("SQLite format 3\0", 16);
-  FileHeader header;
-  const auto got = static_cast<std::size_t>(stream.gcount());
-  header.isDatabase =
-      got >= magic.size() &&
-      std::string_view(reinterpret_cast<const char*>(bytes.data()), magic.size()) == magic;
-  if (!header.isDatabase) return header;
-  if (got < bytes.size()) {
-    header.isWhole = false;
-    return header;
-  }
-  const std::uint64_t pageField = bigEndian(bytes, 16, 2);
-  const std::uint64_t pageSize = pageField == 1 ? 65536 : pageField;
-  const std::uint64_t pages = bigEndian(bytes, 28, 4);
-  std::error_code ignored;
-  header.isWhole = fs::file_size(file, ignored) >= pages * pageSize;
-  return header;
-}
 
 /// Checks with the effective user and group, not the real ones.
 bool mayAccess(const fs::path& place, int mode)
@@ -87,6 +50,86 @@ struct Inspected {
   Companions companions;
 };
 
+using Access = Database::Content::Access;
+using Rows = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
+
+Rows rowsOf(sqlite3* database, const std::string& sql)
+{
+  sqlite3_stmt* prepared = nullptr;
+  sqlite3_prepare_v2(database, sql.c_str(), -1, &prepared, nullptr);
+  return {prepared, sqlite3_finalize};
+}
+
+bool areSame(sqlite3_stmt* one, sqlite3_stmt* other)
+{
+  for (int i = 0; i < sqlite3_column_count(one); ++i) {
+    if (sqlite3_column_type(one, i) != sqlite3_column_type(other, i)) return false;
+    // numbers as text with all their digits
+    const void* bytes = sqlite3_column_blob(one, i);
+    const void* otherBytes = sqlite3_column_blob(other, i);
+    const int size = sqlite3_column_bytes(one, i);
+    if (size != sqlite3_column_bytes(other, i)) return false;
+    if (size > 0 && std::memcmp(bytes, otherBytes, static_cast<std::size_t>(size)) != 0)
+      return false;
+  }
+  return true;
+}
+
+/// Whether a query gives all the rows of one file in another, in order, and perhaps more.
+bool hasRowsOf(sqlite3* another, sqlite3* file, const std::string& query)
+{
+  const Rows expected = rowsOf(file, query), found = rowsOf(another, query);
+  if (!expected) return true;
+  if (!found) return false;
+  int step = sqlite3_step(expected.get());
+  for (; step == SQLITE_ROW; step = sqlite3_step(expected.get())) do {
+      if (sqlite3_step(found.get()) != SQLITE_ROW) return false;
+    } while (!areSame(expected.get(), found.get()));
+  return step == SQLITE_DONE;
+}
+
+/// Whether its tables are those of the kind and its pages do not contradict one another.
+bool isSound(Database::Content& content, const FileKind& kind)
+{
+  if (!content.check(kind)) return false;
+  content.watch->instructions = 0;
+  const Rows rows = rowsOf(content.database.get(), "PRAGMA integrity_check(1)");
+  if (!rows || sqlite3_step(rows.get()) != SQLITE_ROW) return false;
+  const unsigned char* text = sqlite3_column_text(rows.get(), 0);
+  return text != nullptr && std::string(reinterpret_cast<const char*>(text)) == "ok";
+}
+
+/// Whose a log is that lies beside a file which was not closed.
+enum class LogOwner {
+  file,    ///< All that lasts in the file is there with its log, too.
+  others,  ///< The log of another file, or damaged.
+  inUse,   ///< Another connection has both open: it has looked, or it writes them.
+};
+
+LogOwner ownerOfLog(const fs::path& place, const FileKind& kind, const std::stop_token& stop)
+{
+  Database::Content logged, alone;
+  for (Database::Content* content : {&logged, &alone}) {
+    content->file = place;
+    content->watch->stop = stop;
+    content->watch->maxInstructions = maxInstructionsFor(place);
+  }
+  if (!logged.open(place, Access::trial)) return LogOwner::file;
+  const int begun = sqlite3_exec(logged.database.get(), "SELECT 1 FROM sqlite_master LIMIT 1",
+                                 nullptr, nullptr, nullptr);
+  if (begun == SQLITE_BUSY) return LogOwner::inUse;
+  const bool isLoggedSound = isSound(logged, kind);
+  const bool isAloneSound = alone.open(place, Access::immutable) && isSound(alone, kind);
+  // A log that is merged in part leaves pages that contradict one another: then it is needed.
+  if (!isAloneSound || !isLoggedSound)
+    return isLoggedSound || !isAloneSound ? LogOwner::file : LogOwner::others;
+  for (const std::string& query : kind.lasting) {
+    logged.watch->instructions = alone.watch->instructions = 0;
+    if (!hasRowsOf(logged.database.get(), alone.database.get(), query)) return LogOwner::others;
+  }
+  return LogOwner::file;
+}
+
 Result<Inspected> inspect(const fs::path& file, const FileKind& kind)
 {
   const std::string name = file.string();
@@ -100,7 +143,7 @@ Result<Inspected> inspect(const fs::path& file, const FileKind& kind)
   if (problem) return Error{"%1 cannot be found: %2.", name, problem.message()};
   if (fs::is_regular_file(inspected.place, problem)) inspected.header = readHeader(inspected.place);
   if (!inspected.header.isDatabase) return Error{"%1 is not %2. %3", name, kind.name, kind.choice};
-  const auto companions = companionsOf(inspected.place);
+  const auto companions = companionsOf(inspected.place, inspected.header);
   if (!companions) return companions.error();
   inspected.companions = *companions;
   return inspected;
@@ -130,8 +173,7 @@ Result<Database> Database::openNew(const fs::path& file)
   std::error_code problem;
   const fs::path place = fs::canonical(file, problem);
   if (problem) return Error{problem.message()};
-  if (const auto done = content->open(place, Content::Access::readWrite); !done)
-    return done.error();
+  if (const auto done = content->open(place, Access::write); !done) return done.error();
   return Database(std::move(content));
 }
 
@@ -148,9 +190,17 @@ Result<Database> Database::openToAppend(const fs::path& file, const FileKind& ki
   auto content = std::make_unique<Content>();
   content->file = file;
   content->remedy = kind.remedy;
-  if (!inspected->header.isWhole && !inspected->companions.hasLog)
-    return content->error(Sentence{"it is cut short"});
-  if (const auto done = content->open(inspected->place, Content::Access::readWrite); !done)
+  const auto& [place, header, companions] = *inspected;
+  const bool mayHaveLog = companions.hasLog && !companions.hasForeignLog;
+  if (!header.isWhole && !mayHaveLog) return content->error(Sentence{"it is cut short"});
+  const auto isForeign = [&name](const fs::path& companion) {
+    return Error{"%1 is not that of %2 and would spoil it. Move it to another folder.", companion,
+                 name};
+  };
+  if (companions.hasForeignJournal) return isForeign(place.string() + "-journal");
+  if (companions.hasForeignLog || (mayHaveLog && ownerOfLog(place, kind, {}) == LogOwner::others))
+    return isForeign(place.string() + "-wal");
+  if (const auto done = content->open(place, Access::write); !done)
     return content->error(done.error().message);
   Database database(std::move(content));
   // Taken at once, so that a second writer is refused before it has done any work.
@@ -175,25 +225,40 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, std:
   content->remedy = kind.remedy;
   content->watch->stop = std::move(stop);
   content->watch->maxInstructions = maxInstructionsFor(place);
-  if (!header.isWhole && !companions.hasLog) return content->error(Sentence{"it is cut short"});
+  const bool mayHaveLog = companions.hasLog && !companions.hasForeignLog;
+  if (!header.isWhole && !mayHaveLog) return content->error(Sentence{"it is cut short"});
 
   const bool isWritable = mayWrite(place);
-  if (companions.hasLog && !isWritable)
+  if (mayHaveLog && !isWritable)
     content->note = name +
                     " was not closed and lies where nothing may be written, so the ticks in its "
                     "-wal file are not read. Copy both files to a folder you may write to.";
-  const auto read = [&, &target = place](Content::Access access) -> Result<void> {
+  const auto read = [&, &target = place](Access access) -> Result<void> {
     content->watch->instructions = 0;
     if (const auto done = content->open(target, access); !done)
       return content->error(done.error().message);
+    // One state for all queries, whoever writes meanwhile.
+    if (access == Access::recovery)
+      sqlite3_exec(content->database.get(), "BEGIN", nullptr, nullptr, nullptr);
     return content->check(kind);
   };
   // Without recovery nothing is written, not even a lock.
-  const bool recovers = isWritable && companions.areToRead;
-  auto done = read(recovers ? Content::Access::readWrite : Content::Access::immutable);
+  const bool isLogged = header.usesLog && companions.isLogThere && !companions.hasForeignLog;
+  const LogOwner owner =
+      isLogged && isWritable ? ownerOfLog(place, kind, content->watch->stop) : LogOwner::others;
+  const bool recovers = owner != LogOwner::others;
+  content->isShared = owner == LogOwner::inUse;
+  if (companions.hasForeignLog || (mayHaveLog && isWritable && !recovers))
+    content->note = place.string() + "-wal is not the log of " + name +
+                    ", or is damaged, and is not read: what " + name +
+                    " holds itself is shown. Move it to another folder.";
+  else if (companions.hasForeignJournal)
+    content->note = place.string() + "-journal is not that of " + name +
+                    " and is not read. Move it to another folder.";
+  auto done = read(recovers ? Access::recovery : Access::immutable);
   // If the disk is too full for recovery, checkpointed content can still be read.
   if (!done && recovers && header.isWhole && !content->watch->wasStopped) {
-    if (const auto again = read(Content::Access::immutable); again) {
+    if (const auto again = read(Access::immutable); again) {
       done = again;
       content->note =
           name +

@@ -11,4 +11,8 @@ namespace perilymph::database {
 /// call.
 const char* ownFilesOnly();
 
+/// Name of one that sees no journal, either: a file of this program needs none to be read
+/// (Companions.h), and SQLite would take that of another file for its own.
+const char* withoutJournals();
+
 }  // namespace perilymph::database

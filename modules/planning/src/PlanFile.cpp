@@ -216,7 +216,12 @@ const session::InsertionTableKind& planKind()
        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
         "CREATE TABLE insertion(draw INTEGER NOT NULL, array INTEGER NOT NULL, content TEXT NOT "
         "NULL, "
-        "PRIMARY KEY(draw, array)) WITHOUT ROWID"}},
+        "PRIMARY KEY(draw, array)) WITHOUT ROWID"},
+       {},
+       {},
+       1,
+       {},
+       session::lastingRows("insertion", "draw, array")},
       3,
       {{"insertion", "iit", 2}},
       Sentence{"belongs to another plan, or the patient, an array, the scenario, "

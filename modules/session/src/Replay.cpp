@@ -84,7 +84,7 @@ std::vector<Sentence> whatChanged(const RecordedInsertion& recorded, const Scena
   const RecordingFacts& facts = recorded.facts();
   std::vector<Sentence> notes;
   if (!recorded.note().empty()) notes.push_back(recorded.note());
-  if (!recorded.wasClosed())
+  if (!recorded.wasClosed() && !recorded.isBeingWritten())
     notes.push_back(
         Sentence{"The recording was not closed: it ends where the program was interrupted."});
   if (facts.buildId != buildId())

@@ -258,7 +258,10 @@ const session::InsertionTableKind& studyKind()
         "NOT NULL, angle_deg REAL NOT NULL, depth_mm REAL NOT NULL, to_modiolus_mm REAL NOT NULL, "
         "frequency_Hz REAL NOT NULL, PRIMARY KEY(number, contact)) WITHOUT ROWID"},
        studyViews(),
-       formerStudyViews()},
+       formerStudyViews(),
+       1,
+       {},
+       session::lastingRows("insertion", "number")},
       3,
       {{"insertion",
         "itttt"

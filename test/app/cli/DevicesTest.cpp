@@ -151,6 +151,44 @@ TEST_F(InstalledPlugin, ThatIsRefusedIsListedWithTheReason)
   EXPECT_THAT(tested.err, HasSubstr("built for version 3 of PluginApi.h"));
 }
 
+TEST_F(InstalledPlugin, ThatDoesNotPassItsTestIsAnError)
+{
+  install(testPlugin("faulty_failsToWrite"), "lab.so");
+  const auto outcome = devices({"--test", "lab"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("result             not passed: "));
+  EXPECT_THAT(outcome.err, HasSubstr("did not pass the test: no report came."));
+  EXPECT_THAT(contentOf(json()), HasSubstr("\"passed\": false"));
+  EXPECT_THAT(contentOf(json()), HasSubstr("did not pass the test"));
+}
+
+TEST_F(InstalledPlugin, ThatCannotBeOpenedIsReportedWithTheReason)
+{
+  install(testPlugin("faulty_cannotOpen"), "lab.so");
+  const auto listed = devices();
+  EXPECT_THAT(listed.out, Not(HasSubstr("It may be opened.")));
+  EXPECT_THAT(listed.out, HasSubstr("Whether its device is connected shows when it is opened"));
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"--test", "lab"}, {"--plugin", (folder() / "lab.so").string()}}) {
+    std::filesystem::remove(json());
+    const auto outcome = devices(call);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("yyyy"));
+    EXPECT_THAT(contentOf(json()), HasSubstr("\"error\": \"yyyy"));
+  }
+}
+
+TEST_F(InstalledPlugin, OfTheNameOfAnotherIsNotChosen)
+{
+  install(examplePlugin(), "one.so");
+  install(examplePlugin(), "two.so");
+  const auto outcome = devices({"--test", "Example handle"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("2 plug-ins are named Example handle: "));
+  EXPECT_THAT(outcome.err, HasSubstr((folder() / "two.so").string()));
+  EXPECT_EQ(devices({"--test", "two"}).status, 0);
+}
+
 TEST_F(InstalledPlugin, ThatIsUnknownIsAnsweredWithThoseThereAre)
 {
   install(examplePlugin(), "lab.so");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -144,12 +145,13 @@ TEST(ReplayCommand, AndCompareSayThatARecordingWasChanged)
     ASSERT_EQ(sqlite3_open(changed.c_str(), &database), SQLITE_OK);
     ASSERT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK);
     sqlite3_close(database);
-    const auto shown = cli({"replay", changed});
-    if (shown.status != 0) {  // a row that cannot be read
-      EXPECT_THAT(shown.err, HasSubstr("is damaged"));
-      continue;
-    }
+    const std::string csv = folder / "changed.csv";
+    const auto shown = cli({"replay", changed, "--csv", csv});
+    EXPECT_EQ(shown.status, 1);
+    if (shown.err.find("is damaged") != std::string::npos) continue;  // a row that cannot be read
     EXPECT_THAT(shown.err, HasSubstr("changed.insertion was changed after it was recorded: "));
+    EXPECT_THAT(shown.out, HasSubstr("peak force"));
+    EXPECT_GT(contentOf(csv).size(), 1000u);
     EXPECT_EQ(std::count(shown.err.begin(), shown.err.end(), '\n'), 1);
     const auto compared = cli({"compare", whole, changed, "--out", folder / "out"});
     EXPECT_EQ(compared.status, 0);
@@ -160,6 +162,55 @@ TEST(ReplayCommand, AndCompareSayThatARecordingWasChanged)
     EXPECT_THAT(table, HasSubstr("changed (changed by hand),"));
     EXPECT_THAT(table, HasSubstr("whole,"));
   }
+}
+
+/// Every output of a recording whose second block is damaged holds the ticks of the first.
+TEST(ReplayCommand, ExportsWhatIsBeforeADamagedBlock)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "damaged.insertion";
+  ASSERT_EQ(cli(shortSimulation({"--record", file})).status, 0);
+  const std::string all = folder / "all.csv";
+  ASSERT_EQ(cli({"replay", file, "--csv", all}).status, 0);
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+  const char* sql =
+      "UPDATE block SET packed = zeroblob(length(packed)) WHERE tick = (SELECT tick FROM block "
+      "ORDER "
+      "BY tick LIMIT 1 OFFSET 1)";
+  ASSERT_EQ(sqlite3_exec(database, sql, nullptr, nullptr, nullptr), SQLITE_OK);
+  ASSERT_EQ(sqlite3_changes(database), 1) << "the recording has one block";
+  sqlite3_close(database);
+
+  const std::string csv = folder / "part.csv", table = folder / "part.sqlite";
+  const auto outcome = cli({"replay", file, "--csv", csv, "--sqlite", table});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("damaged.insertion is damaged (the block of tick 1024"));
+  EXPECT_THAT(outcome.err, HasSubstr("The 1024 samples up to tick 1023 can be read and were used; "
+                                     "those after it are lost."));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  const std::string part = contentOf(csv);
+  EXPECT_EQ(std::count(part.begin(), part.end(), '\n'), 1 + 1024);
+  EXPECT_TRUE(contentOf(all).starts_with(part));
+  ASSERT_EQ(sqlite3_open(table.c_str(), &database), SQLITE_OK);
+  std::string count;
+  const auto keep = [](void* to, int, char** values, char**) {
+    return *static_cast<std::string*>(to) = values[0], 0;
+  };
+  sqlite3_exec(database, "SELECT COUNT(*) FROM tick", keep, &count, nullptr);
+  EXPECT_EQ(count, "1024");
+  sqlite3_close(database);
+  EXPECT_EQ(cli({"replay", file, "--verify"}).status, 1);
+}
+
+TEST(ReplayCommand, WritesATableIntoNothingButAFile)
+{
+  const TemporaryFolder folder;
+  const std::string file = folder / "run.insertion", pipe = folder / "pipe";
+  ASSERT_EQ(cli(shortSimulation({"--record", file})).status, 0);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);  // without a reader: opening it would wait for ever
+  expectRefusal(cli({"replay", file, "--sqlite", pipe}), "is not a file");
+  expectRefusal(cli({"replay", file, "--sqlite", "/dev/full"}), "is not a file");
 }
 
 TEST(ReplayCommand, EscapesControlSequences)
@@ -178,7 +229,7 @@ TEST(ReplayCommand, EscapesControlSequences)
   sqlite3_close(database);
 
   const auto shown = cli({"replay", file});
-  EXPECT_EQ(shown.status, 0) << shown.err;
+  EXPECT_EQ(shown.status, 1) << "it was changed";
   EXPECT_THAT(shown.out, HasSubstr("\\x1b[2J\\x07\\x0a\\xc2\\x9bΔοκιμή, recorded"));
   for (const char byte : shown.out)
     EXPECT_TRUE(byte == '\n' || static_cast<unsigned char>(byte) >= 0x20);

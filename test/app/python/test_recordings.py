@@ -6,6 +6,7 @@ import os
 import pickle
 import re
 import shutil
+import sqlite3
 import subprocess
 import sys
 from pathlib import Path
@@ -26,7 +27,7 @@ def recorded(tmp_path_factory):
 
 def test_a_recording_has_the_columns_of_its_simulation(recorded):
     file, simulation = recorded
-    recording = perilymph.read_recording(file, check=True)
+    recording = perilymph.read_recording(file)
     assert all(same_bits(recording[name], column) for name, column in simulation.columns.items())
     assert (recording.end, recording.was_closed, recording.lost_ticks, recording.note) == ("finished", True, 0, "")
     assert recording.facts["scenario_name"] == "contour-published"
@@ -68,6 +69,22 @@ def test_a_recording_s_scenario_runs_to_the_same_bits_again(recorded, tmp_path):
     assert all(same_bits(again[name], column) for name, column in recording.columns.items())
 
 
+@pytest.mark.parametrize("change", ["UPDATE meta SET value = 'another' WHERE key = 'scenario_name'",
+                                    "UPDATE meta SET value = '0.5' WHERE key = 'peak_force_N'",
+                                    "UPDATE meta SET value = value + 1 WHERE key = 'ticks'",
+                                    "UPDATE event SET time_s = time_s + 1 WHERE rowid = 1"])
+def test_a_recording_that_was_changed_is_only_read_on_request(recorded, tmp_path, change):
+    file = tmp_path / "changed.insertion"
+    shutil.copy(recorded[0], file)
+    with sqlite3.connect(file) as database:
+        database.execute(change)
+    database.close()
+    with pytest.raises(perilymph.Error, match="changed.insertion does not contain what was recorded.*check=False"):
+        perilymph.read_recording(file)
+    as_it_is = perilymph.read_recording(file, check=False)
+    assert len(as_it_is["time_s"]) == len(recorded[1]["time_s"])
+
+
 def test_recordings_that_cannot_be_read_are_refused(recorded, tmp_path):
     whole = recorded[0].read_bytes()
     changed = bytearray(whole)
@@ -77,7 +94,7 @@ def test_recordings_that_cannot_be_read_are_refused(recorded, tmp_path):
     for name, content in contents.items():
         (tmp_path / name).write_bytes(content)
         with pytest.raises(perilymph.Error, match=name):
-            perilymph.read_recording(tmp_path / name, check=True)
+            perilymph.read_recording(tmp_path / name)
     (tmp_path / "folder").mkdir()
     for place in (tmp_path / "folder", tmp_path / "missing", "/dev/null", ""):
         with pytest.raises(perilymph.Error):

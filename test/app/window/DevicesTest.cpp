@@ -35,6 +35,10 @@ protected:
   }
 
   /// The user's folder of plug-ins, in the data home of this test program.
+  bool isInput(const std::string& name)
+  {
+    return WindowRig::waitUntil([&] { return rig_->window().control().inputName() == name; });
+  }
   static std::filesystem::path plugins() { return device::pluginFolders().front(); }
   static void install(const std::filesystem::path& file, const std::string& name)
   {
@@ -132,7 +136,7 @@ TEST_F(DevicesOfTheWindow, OfAPlugInBecomesTheHandAndMovesTheArray)
 {
   open();
   rig_->window().insertion().useDevice(examplePlugin());
-  EXPECT_EQ(rig_->window().control().inputName(), "Example handle");
+  ASSERT_TRUE(isInput("Example handle"));
   EXPECT_TRUE(rig_->button("deviceChoice").text().contains("Example handle"));
   // Its virtual hand pushes inward with 0.2 N and never releases the button.
   rig_->click("startButton");
@@ -150,14 +154,14 @@ TEST_F(DevicesOfTheWindow, OfAnInstalledPlugInAreListedChosenRememberedAndRemove
   EXPECT_TRUE(pageSays((plugins() / "lab.so").c_str()));
   EXPECT_FALSE(pageSays("chosen last"));
   rig_->click("use-lab");
-  EXPECT_EQ(rig_->window().control().inputName(), "Example handle");
+  ASSERT_TRUE(isInput("Example handle"));
   rig_->pressKey(Qt::Key_H);
 
   // The next choice of a device is this one, at once.
   rig_->click("scriptedChoice");
   EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
   rig_->click("deviceChoice");
-  EXPECT_EQ(rig_->window().control().inputName(), "Example handle");
+  ASSERT_TRUE(isInput("Example handle"));
   EXPECT_FALSE(page().isVisible());
   rig_->click("deviceChoice");  // in use already: the list
   ASSERT_TRUE(page().isVisible());
@@ -212,8 +216,76 @@ TEST_F(DevicesOfTheWindow, OfAFileThatIsNoPlugInLeaveTheScriptAndSayWhy)
 {
   open();
   rig_->window().insertion().useDevice(tree_.root() / "none.so");
+  EXPECT_TRUE(WindowRig::waitUntil(
+      [&] { return rig_->label("bannerText").contains(QLatin1String("none.so")); }));
   EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
-  EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("none.so")));
+
+  // The script does not insert in place of the device without being chosen.
+  rig_->click("startButton");
+  EXPECT_FALSE(rig_->window().control().isRunning());
+  EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("is not open")));
+  rig_->window().insertion().reset();  // tries the device again
+  EXPECT_TRUE(WindowRig::waitUntil(
+      [&] { return rig_->label("bannerText").contains(QLatin1String("none.so")); }));
+  rig_->click("scriptedChoice");
+  rig_->click("startButton");
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.0; }));
+}
+
+/// A plug-in that hangs: PERILYMPH_TEST_FAULT names the function.
+class HangingPlugIn : public DevicesOfTheWindow {
+protected:
+  void TearDown() override
+  {
+    ::unsetenv("PERILYMPH_TEST_FAULT");
+    DevicesOfTheWindow::TearDown();
+  }
+  QWidget* stage() { return rig_->window().findChild<QWidget*>(QStringLiteral("loadingStage")); }
+  /// Chooses it, and how long the window's thread was busy with that [s].
+  double use(const char* fault)
+  {
+    ::setenv("PERILYMPH_TEST_FAULT", fault, 1);
+    const auto began = std::chrono::steady_clock::now();
+    rig_->window().insertion().useDevice(testPlugin("socket_device"));
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  }
+};
+
+TEST_F(HangingPlugIn, LeavesTheWindowFreeAndIsCanceled)
+{
+  open();
+  EXPECT_LT(use("hang in create"), 3.0) << "10 s until it is given up";
+  ASSERT_TRUE(stage()->isVisible());
+  EXPECT_TRUE(rig_->label("loadingText").contains(QLatin1String("socket_device is being opened")));
+  EXPECT_TRUE(WindowRig::waitUntil([&] {
+    return rig_->label("loadingText")
+        .contains(QLatin1String("socket_device has not answered for "));
+  }));
+  rig_->pressKey(Qt::Key_Space);
+  EXPECT_FALSE(rig_->window().control().isRunning()) << "the script is not what was chosen";
+  rig_->click("cancelLoadingButton");
+  EXPECT_FALSE(stage()->isVisible());
+  EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
+  rig_->click("startButton");
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return rig_->travel_mm() > 0.0; }));
+}
+
+TEST_F(HangingPlugIn, IsGivenUpWithASentence)
+{
+  open();
+  EXPECT_LT(use("hang in create"), 3.0);
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return !stage()->isVisible(); }));
+  EXPECT_TRUE(rig_->label("bannerText").contains(QLatin1String("did not answer within 10 s")));
+  EXPECT_EQ(rig_->window().control().input(), gui::InputSource::scripted);
+}
+
+TEST_F(HangingPlugIn, IsLeftByEsc)
+{
+  open();
+  use("hang in create");
+  ASSERT_TRUE(stage()->isVisible());
+  rig_->pressKey(Qt::Key_Escape);
+  EXPECT_FALSE(stage()->isVisible());
 }
 
 }  // namespace

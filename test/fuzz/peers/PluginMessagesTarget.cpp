@@ -68,6 +68,7 @@ std::vector<Bytes> seeds()
   std::strcpy(traits.name, "A device");
   traits.max_force_N = 3.3;
   traits.nominal_period_s = 1e-3;
+  traits.buttons = 1;
   traits.sensed_translations = traits.actuated_translations = 3;
   Bytes loaded(sizeof reply);
   std::memcpy(loaded.data(), &reply, sizeof reply);

@@ -119,6 +119,11 @@ void InsertPage::connectInsertion()
     loading_->show(scenario != nullptr ? subjectText(*scenario) : QString());
   });
   connect(loading_, &LoadingStage::cancelRequested, &insertion_.setup(), &SetupControl::cancel);
+  connect(loading_, &LoadingStage::cancelRequested, &insertion_, &Insertion::cancelOpening);
+  connect(&insertion_, &Insertion::openingChanged, this, [this] {
+    if (insertion_.loading() == nullptr) loading_->showDevice(insertion_.openingText());
+    presenter_.showInput();
+  });
   connect(&insertion_, &Insertion::referenceChanged, this, [this] { presenter_.showReference(); });
   connect(&insertion_, &Insertion::planChanged, this, [this] { presenter_.showPlan(); });
   connect(&insertion_, &Insertion::errorChanged, this, [this] { presenter_.showBanner(); });

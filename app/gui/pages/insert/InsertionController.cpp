@@ -3,6 +3,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include <chrono>
+#include <future>
+#include <memory>
 #include <utility>
 
 #include "gui/pages/insert/InsertionText.h"
@@ -22,9 +25,12 @@ InsertionController::InsertionController(session::Scenario scenario,
       setup_(new SetupControl(control_, this)),
       replay_(new ReplayPlayer(this)),
       held_(control_),
-      reading_(this)
+      reading_(this),
+      opening_(this)
 {
   connectSetup();
+  openingTimer_.setInterval(1000);
+  connect(&openingTimer_, &QTimer::timeout, this, &InsertionController::openingChanged);
   connect(replay_, &ReplayPlayer::opened, this, &InsertionController::beginReplay);
   connect(replay_, &ReplayPlayer::failed, this, &InsertionController::replayFailed);
   setup_->history().begin({control_.scenario(), {}}, SetupOrigin::Kind::preset);
@@ -166,6 +172,11 @@ void InsertionController::redo()
 
 void InsertionController::start()
 {
+  if (!openingName_.isEmpty()) return Q_EMIT noted(openingText());
+  if (isDeviceMissing_)
+    return showError(
+        tr("The chosen device is not open, so that Start would insert by the script. Press "
+           "Reset to open the device again, or choose the script as the input."));
   // Edited values are committed, and the result is built first.
   const QString refused = maySetUp() && commit_ ? commit_() : QString();
   if (!refused.isEmpty()) return showError(refused);
@@ -199,7 +210,10 @@ void InsertionController::withdraw()
   Q_EMIT stateChanged();
 }
 
-void InsertionController::reset() { prepare(control_.input()); }
+void InsertionController::reset()
+{
+  prepare(isDeviceMissing_ ? InputSource::device : control_.input());
+}
 
 void InsertionController::again()
 {
@@ -267,10 +281,19 @@ void InsertionController::loseKeyboard()
 
 void InsertionController::chooseInput(InputSource input)
 {
-  if (input != control_.input()) prepare(input);
+  if (input != control_.input() || isDeviceMissing_ || !openingName_.isEmpty()) prepare(input);
 }
 
 void InsertionController::prepare(InputSource input)
+{
+  endOpening();
+  isDeviceMissing_ = false;
+  if (input == InputSource::device && !control_.chosen().slowName.empty())
+    return openInBackground();
+  prepareNow(input);
+}
+
+void InsertionController::prepareNow(InputSource input)
 {
   error_.clear();
   held_.letGo();
@@ -279,11 +302,77 @@ void InsertionController::prepare(InputSource input)
   const Result<void> ready = control_.prepare(input);
   if (!ready && input == InputSource::device) {
     // If a device cannot be opened, the script remains the input device.
-    prepare(InputSource::scripted);
+    prepareNow(InputSource::scripted);
+    isDeviceMissing_ = true;
     return showError(dataText(ready.error().message));
   }
   if (!ready) return showError(dataText(ready.error().message));
   Q_EMIT prepared();
+}
+
+void InsertionController::openInBackground()
+{
+  using Opened = Result<std::shared_ptr<device::HapticDevice>>;
+  // no force of the device before while another one is opened
+  prepareNow(InputSource::scripted);
+  const auto factory = control_.chosen();
+  openingName_ = QString::fromStdString(factory.slowName);
+  openingSince_.start();
+  openingTimer_.start();
+  const auto isOpened = std::make_shared<std::promise<void>>();
+  const auto opened = isOpened->get_future();
+  opening_.run(
+      "The device",
+      [factory, isOpened](const std::stop_token& stop) -> Opened {
+        auto made = factory.make(stop);
+        auto result = [&]() -> Opened {
+          if (!made) return made.error();
+          if (const auto done = (*made)->open(); !done) return done.error();
+          return std::shared_ptr<device::HapticDevice>(*std::move(made));
+        }();
+        isOpened->set_value();
+        return result;
+      },
+      [this](Opened device) {
+        endOpening();
+        if (!device) {
+          isDeviceMissing_ = true;
+          return showError(dataText(device.error().message));
+        }
+        control_.takeOpened(*std::move(device));
+        prepareNow(InputSource::device);
+      });
+  // Most are open at once; the window is not blocked for longer.
+  constexpr std::chrono::milliseconds unnoticed{250};
+  if (opened.wait_for(unnoticed) == std::future_status::ready) return opening_.finish();
+  Q_EMIT openingChanged();
+}
+
+void InsertionController::endOpening()
+{
+  if (openingName_.isEmpty()) return;
+  opening_.cancel();
+  openingTimer_.stop();
+  openingName_.clear();
+  Q_EMIT openingChanged();
+}
+
+QString InsertionController::openingText() const
+{
+  if (openingName_.isEmpty()) return {};
+  const auto time_s = openingSince_.elapsed() / 1000;
+  if (time_s < 2) return tr("%1 is being opened.").arg(openingName_);
+  return tr("%1 has not answered for %2 s. Check its power and its cable, or cancel.")
+      .arg(openingName_)
+      .arg(time_s);
+}
+
+bool InsertionController::cancelOpening()
+{
+  if (openingName_.isEmpty()) return false;
+  endOpening();
+  Q_EMIT noted(tr("The device was not opened. The input is the scripted insertion."));
+  return true;
 }
 
 void InsertionController::openReplay(const std::filesystem::path& file)

@@ -3,7 +3,9 @@
 
 // What happens on the insertion page: the insertion, its setup, its safety, and replays. No widget.
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -96,7 +98,8 @@ public:
   void redo();
 
   void chooseInput(InputSource input);
-  /// Uses a device as input; if it cannot be opened, the script remains, and there is an error.
+  /// Uses a device as input; if it cannot be opened, the script remains, and there is an error. One that may
+  /// take seconds is opened in the background.
   /// @param chosen  A found device, a factory, or the library of a plug-in.
   template <class Device>
   void useDevice(const Device& chosen)
@@ -104,6 +107,11 @@ public:
     control_.choose(chosen);
     prepare(InputSource::device);
   }
+
+  /// The device that is being opened in the background, and for how long; empty if none is.
+  QString openingText() const;
+  /// Keeps the script as the input. True if a device was being opened.
+  bool cancelOpening();
 
   /// Opens a recording in place of the insertion; emits replayOpened() or replayFailed().
   void openReplay(const std::filesystem::path& file);
@@ -148,6 +156,8 @@ Q_SIGNALS:
   void planChanged();
   void errorChanged();
   void resultChanged();
+  /// openingText() is another one.
+  void openingChanged();
   void replayOpened();
   void replayClosed();
   void replayFailed(const QString& sentence);
@@ -157,6 +167,9 @@ Q_SIGNALS:
 private:
   void connectSetup();
   void prepare(InputSource input);
+  void prepareNow(InputSource input);
+  void openInBackground();
+  void endOpening();
   void use(const session::Scenario& scenario, const std::optional<InsertionControl::Parts>& parts);
   void beginReplay();
   void setLoading(const std::optional<session::Scenario>& scenario);
@@ -178,6 +191,11 @@ private:
   std::shared_ptr<const ReportContent> result_;
   std::optional<std::filesystem::path> before_;
   QString error_;
+  Background opening_;
+  QString openingName_;  ///< Name of the device that is being opened; else empty.
+  QElapsedTimer openingSince_;
+  QTimer openingTimer_;
+  bool isDeviceMissing_ = false;  ///< The script is the input because the device cannot be opened.
   InputSource inputBefore_ = InputSource::scripted;  ///< Before the replay, or in the last window.
 };
 

@@ -80,8 +80,12 @@ QString errorText(const InsertionControl& control, const QString& error)
 {
   const haptics::TickOutput& now = control.now().output;
   if (now.workflow == Workflow::fault) {
-    const QString what = (now.status & haptics::deviceLost) != 0
-                             ? tr("The input device stopped responding.")
+    const bool isLost = (now.status & haptics::deviceLost) != 0;
+    // the device's own reason, which says what to do
+    if (const auto health = isLost ? control.deviceHealth() : std::nullopt;
+        health && !health->error.empty())
+      return dataText(health->error);
+    const QString what = isLost ? tr("The input device stopped responding.")
                          : (now.status & haptics::notFinite) != 0
                              ? tr("The simulation became unstable and was stopped.")
                              : tr("The insertion was stopped.");

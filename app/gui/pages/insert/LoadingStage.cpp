@@ -19,7 +19,7 @@ LoadingStage::LoadingStage(QWidget* page) : Overlay(page), text_(new QLabel(this
   text_->setTextFormat(Qt::PlainText);  // a code may look like markup
   QProgressBar* bar = endlessBar(240, this);
   auto* cancel = panelButton(tr("Cancel"), "cancelLoadingButton", this);
-  cancel->setToolTip(tr("Keep the cochlea and array of before (Esc)"));
+  cancel_ = cancel;
   connect(cancel, &QPushButton::clicked, this, &LoadingStage::cancelRequested);
   auto* column = new QVBoxLayout(this);
   column->setSpacing(2 * spacing);
@@ -33,9 +33,21 @@ LoadingStage::LoadingStage(QWidget* page) : Overlay(page), text_(new QLabel(this
 
 void LoadingStage::show(const QString& subject)
 {
-  setVisible(!subject.isEmpty());
-  if (subject.isEmpty()) return;
-  text_->setText(tr("Building the cochlea: %1").arg(subject));
+  cover(subject.isEmpty() ? QString() : tr("Building the cochlea: %1").arg(subject),
+        tr("Keep the cochlea and array of before (Esc)"));
+}
+
+void LoadingStage::showDevice(const QString& sentence)
+{
+  cover(sentence, tr("The scripted insertion remains the input (Esc)"));
+}
+
+void LoadingStage::cover(const QString& sentence, const QString& afterCancel)
+{
+  setVisible(!sentence.isEmpty());
+  if (sentence.isEmpty()) return;
+  text_->setText(sentence);
+  cancel_->setToolTip(afterCancel);
   place();
   raise();
 }

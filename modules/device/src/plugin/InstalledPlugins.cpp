@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cstdint>
 
+#include "hid/Intervals.h"
 #include "perilymph/device/PluginDevice.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/realtime/Pacer.h"
+#include "plugin/LoadingPlugin.h"
 
 namespace perilymph::device {
 
@@ -35,31 +39,48 @@ std::vector<fs::path> pluginFolders()
   return folders;
 }
 
-std::vector<FoundPlugin> surveyPlugins(const std::vector<fs::path>& folders)
+std::vector<FoundPlugin> surveyPlugins(const std::vector<fs::path>& folders, Duration patience)
 {
   std::vector<FoundPlugin> survey;
+  std::vector<Result<plugin::LoadingPlugin>> loading;
   for (const fs::path& folder : folders)
     for (const fs::path& file : pluginLibraries(folder)) {
-      FoundPlugin plugin{file, file.stem().string(), {}, {}};
-      if (const auto device = loadPluginDevice(file, patienceForSurvey)) {
-        plugin.traits = (*device)->traits();
-        plugin.name = plugin.traits.name;
-      } else {
-        plugin.obstacle = device.error().message;
-      }
-      survey.push_back(std::move(plugin));
+      survey.push_back({file, file.stem().string(), {}, {}});
+      loading.push_back(plugin::beginToLoad(file));
     }
+  const std::int64_t end = realtime::monotonicNanoseconds() + nanoseconds(patience.si());
+  for (std::size_t i = 0; i < survey.size(); ++i) {
+    const auto rest = static_cast<double>(end - realtime::monotonicNanoseconds());
+    const auto device = loading[i]
+                            ? plugin::awaitDevice(*std::move(loading[i]),
+                                                  Duration::fromSi(std::max(0.0, rest * 1e-9)))
+                            : Result<std::unique_ptr<HapticDevice>>(loading[i].error());
+    if (device) {
+      survey[i].traits = (*device)->traits();
+      survey[i].name = survey[i].traits.name;
+    } else {
+      survey[i].obstacle = device.error().message;
+    }
+  }
   return survey;
 }
 
-const FoundPlugin* pluginNamed(const std::vector<FoundPlugin>& survey, const std::string& name)
+Result<const FoundPlugin*> pluginNamed(const std::vector<FoundPlugin>& survey,
+                                       const std::string& name)
 {
-  const auto matches = [&name](const FoundPlugin& plugin) {
-    return name == plugin.file.string() || name == plugin.file.filename().string() ||
-           name == plugin.file.stem().string() || name == plugin.name;
-  };
-  const auto found = std::find_if(survey.begin(), survey.end(), matches);
-  return found == survey.end() ? nullptr : &*found;
+  std::vector<const FoundPlugin*> found;
+  for (const FoundPlugin& plugin : survey) {
+    if (name == plugin.file.string()) return &plugin;
+    if (name == plugin.file.filename().string() || name == plugin.file.stem().string() ||
+        name == plugin.name)
+      found.push_back(&plugin);
+  }
+  if (found.size() < 2) return found.empty() ? nullptr : found.front();
+  std::string files;
+  for (const FoundPlugin* plugin : found)
+    files += (files.empty() ? "" : ", ") + plugin->file.string();
+  return Error{"%1 plug-ins are named %2: %3. Give the path of one of them.", found.size(), name,
+               files};
 }
 
 }  // namespace perilymph::device

@@ -11,6 +11,7 @@
 #include "perilymph/realtime/Pacer.h"
 #include "perilymph/realtime/TimeHistogram.h"
 #include "perilymph/realtime/TripleBuffer.h"
+#include "plugin/LoadingPlugin.h"
 #include "plugin/PluginFile.h"
 #include "plugin/PluginProcess.h"
 #include "plugin/StatedTraits.h"
@@ -75,9 +76,11 @@ private:
 /// A plug-in's device, which runs in a process of its own.
 class PluginDevice final : public HapticDevice {
 public:
-  PluginDevice(fs::path library, std::unique_ptr<PluginProcess> process, DeviceTraits traits)
+  PluginDevice(fs::path library, std::unique_ptr<PluginProcess> process, DeviceTraits traits,
+               std::stop_token stop)
       : library_(std::move(library)),
         process_(std::move(process)),
+        stop_(std::move(stop)),
         stated_(std::move(traits)),
         traits_(stated_),
         staleTime_(nanoseconds(std::clamp(3.0 * stated_.nominalPeriod, 3e-3, 30e-3)))
@@ -102,6 +105,7 @@ private:
 
   fs::path library_;
   std::unique_ptr<PluginProcess> process_;
+  std::stop_token stop_;
   DeviceTraits stated_;
   DeviceTraits traits_;     // with the delay measured on opening
   std::int64_t staleTime_;  // [ns]
@@ -124,11 +128,14 @@ Result<void> PluginDevice::open()
   if (isOpen_ && !isLost_) return {};
   close();
   if (process_->hasEnded()) {
-    auto started = PluginProcess::start(library_, patienceForLoading);
-    if (!started) return refused(library_, started.error().message);
-    process_ = *std::move(started);
+    // Not one that was changed since.
+    auto started = plugin::beginToLoad(library_);
+    if (!started) return started.error();
+    if (const auto loaded = started->process->load(patienceForLoading, stop_); !loaded)
+      return refused(library_, loaded.error().message);
+    process_ = std::move(started->process);
   }
-  if (const auto opened = process_->open(); !opened) {
+  if (const auto opened = process_->open(patienceForLoading, stop_); !opened) {
     if (!opened.error().message.empty()) return opened;
     return Error{"The %1 cannot be opened, and its plug-in does not say why.", stated_.name};
   }
@@ -209,7 +216,9 @@ void PluginDevice::lookAfterHost(std::int64_t now) noexcept
   ++silentReads_;
   const bool isFrozen = silentReads_ >= frozenReads && now - heard_ >= nanoseconds(frozenTime);
   if (isFrozen) process_->kill();
-  if (isFrozen || process_->hasEnded()) isLost_ = true;
+  if (!isFrozen && !process_->hasEnded()) return;
+  process_->killGroup();
+  isLost_ = true;
 }
 
 void PluginDevice::write(const Wrench& wrench_D) noexcept
@@ -260,19 +269,33 @@ std::optional<DeviceHealth> PluginDevice::health()
 
 }  // namespace
 
-Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file, Duration patience)
+Result<plugin::LoadingPlugin> plugin::beginToLoad(const fs::path& file)
 {
   // An absolute path: a bare name would be searched in the system's library folders.
-  std::error_code failure;
-  const fs::path path = fs::absolute(file, failure);
-  if (const auto checked = plugin::checkFile(failure ? file : path); !checked)
-    return refused(file, checked.error().message);
-  auto process = PluginProcess::start(path, patience);
+  auto library = checkedFile(file);
+  if (!library) return refused(file, library.error().message);
+  auto process = PluginProcess::start(*library);
   if (!process) return refused(file, process.error().message);
-  Result<DeviceTraits> traits = plugin::checkedTraits((*process)->traits());
-  if (!traits) return refused(file, traits.error().message);
-  return std::unique_ptr<HapticDevice>(
-      std::make_unique<PluginDevice>(path, *std::move(process), *std::move(traits)));
+  return LoadingPlugin{file, *std::move(process)};
+}
+
+Result<std::unique_ptr<HapticDevice>> plugin::awaitDevice(LoadingPlugin loading, Duration patience,
+                                                          const std::stop_token& stop)
+{
+  if (const auto loaded = loading.process->load(patience, stop); !loaded)
+    return refused(loading.file, loaded.error().message);
+  Result<DeviceTraits> traits = checkedTraits(loading.process->traits());
+  if (!traits) return refused(loading.file, traits.error().message);
+  return std::unique_ptr<HapticDevice>(std::make_unique<PluginDevice>(
+      std::move(loading.file), std::move(loading.process), *std::move(traits), stop));
+}
+
+Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const fs::path& file, Duration patience,
+                                                       const std::stop_token& stop)
+{
+  auto loading = plugin::beginToLoad(file);
+  if (!loading) return loading.error();
+  return plugin::awaitDevice(*std::move(loading), patience, stop);
 }
 
 }  // namespace perilymph::device

@@ -9,8 +9,11 @@
 
 namespace perilymph::device::plugin {
 
-/// Checks that a file is a shared library that this user may read and that not every user may change.
-/// The file is not loaded. The error continues "The plug-in is not taken:".
-Result<void> checkFile(const std::filesystem::path& file);
+/// Checks that a file is a shared library that this user may read and that nobody else may change or
+/// replace: it belongs to this user, to root or to the owner of this program, as do the folders on the
+/// way to it, through links too. The file is not loaded.
+///
+/// @return  Its absolute path without links. The error continues "The plug-in is not taken:".
+Result<std::filesystem::path> checkedFile(const std::filesystem::path& file);
 
 }  // namespace perilymph::device::plugin

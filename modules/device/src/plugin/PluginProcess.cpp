@@ -8,11 +8,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <new>
 
+#include "hid/Intervals.h"
+#include "perilymph/realtime/Pacer.h"
 #include "plugin/Refusals.h"
 #include "plugin/StatedTraits.h"
 
@@ -21,12 +24,14 @@ namespace perilymph::device::plugin {
 namespace {
 
 constexpr const char* programName = "perilymph-plugin-host";
-// Devices that load their firmware when opened take seconds.
-constexpr int patienceForOpen_ms = 30'000;
 constexpr int patienceForClose_ms = 2000;
 constexpr int patienceForEnd_ms = 500;
 // A killed host ends at once, unless its driver blocks in the kernel.
 constexpr int patienceForKilled_ms = 100;
+constexpr Phrase hangsInOpen{
+    "It did not answer within %1 s while it was opened, and its plug-in was ended. The force is "
+    "off. "
+    "Check its power and its cable; if that recurs, tell the maker of the plug-in."};
 constexpr const char* remedy =
     " The force is off. Reset loads it again; if that recurs, tell its maker.";
 
@@ -46,12 +51,14 @@ PluginProcess::PluginProcess(std::string name, pid_t id, OwnedFile requests, Own
 PluginProcess::~PluginProcess()
 {
   say(requests_, goodbye);
-  endCompanion(id_, isKilled_ ? patienceForKilled_ms : patienceForEnd_ms);
+  pollfd end{life_.get(), POLLIN, 0};
+  ::poll(&end, 1, isKilled_ ? patienceForKilled_ms : patienceForEnd_ms);
+  killGroup();
+  endCompanion(id_, patienceForKilled_ms);
   ::munmap(channel_, sizeof *channel_);
 }
 
-Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesystem::path& library,
-                                                            Duration patience)
+Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesystem::path& library)
 {
   const auto failed = [] {
     return Error{"no process can be made for it: %1.", std::strerror(errno)};
@@ -87,34 +94,48 @@ Result<std::unique_ptr<PluginProcess>> PluginProcess::start(const std::filesyste
   }
   std::unique_ptr<PluginProcess> process(new PluginProcess(
       library.filename().string(), id, std::move(requests), std::move(replies), channel));
-  const auto loaded = process->await(static_cast<int>(1e3 * patience.si()));
-  if (!loaded) return loaded.error();
-  if (loaded->version != plugin::version)
-    return Error{"%1 is of another version. Install the package again.", program};
-  if (loaded->isDone == 0) return Error{recognized(sentenceOf(*loaded), refusals::all)};
-  process->traits_ = loaded->traits;
   return process;
 }
 
-Result<Reply> PluginProcess::await(int patience_ms)
+Result<void> PluginProcess::load(Duration patience, const std::stop_token& stop)
+{
+  const auto loaded = await(patience, refusals::isTooSlow, stop);
+  if (!loaded) return loaded.error();
+  if (loaded->version != plugin::version)
+    return Error{"%1 is of another version. Install the package again.", std::string(programName)};
+  if (loaded->isDone == 0) return Error{recognized(sentenceOf(*loaded), refusals::all)};
+  traits_ = loaded->traits;
+  return {};
+}
+
+Result<Reply> PluginProcess::await(Duration patience, Phrase tooSlow, const std::stop_token& stop)
 {
   std::array<pollfd, 2> waits{{{replies_.get(), POLLIN, 0}, {life_.get(), POLLIN, 0}}};
-  while (::poll(waits.data(), waits.size(), patience_ms) < 0 && errno == EINTR) {
-  }
+  const int patience_ms = static_cast<int>(1e3 * patience.si());
+  const std::int64_t end = realtime::monotonicNanoseconds() + nanoseconds(patience.si());
+  constexpr std::int64_t lookAtStop_ms = 50;
+  int found = 0;
+  do {
+    const std::int64_t rest_ms = (end - realtime::monotonicNanoseconds()) / 1'000'000;
+    found = ::poll(waits.data(), waits.size(),
+                   static_cast<int>(std::clamp<std::int64_t>(rest_ms, 0, lookAtStop_ms)));
+  } while (found <= 0 && !stop.stop_requested() && realtime::monotonicNanoseconds() < end);
   Reply reply;
   if (::read(replies_.get(), &reply, sizeof reply) == sizeof reply) return reply;
+  const bool isLate = waits[0].revents == 0 && waits[1].revents == 0;
   if (waits[0].revents != 0) {
     // The host's end is closed: it is about to end.
     ::poll(&waits[1], 1, patienceForEnd_ms);
   }
   if (!hasEnded()) kill();
+  if (isLate) return Error{Sentence(tooSlow, {std::to_string(patience_ms / 1000)})};
   return Error{obituary()};
 }
 
-Result<void> PluginProcess::open()
+Result<void> PluginProcess::open(Duration patience, const std::stop_token& stop)
 {
   if (!say(requests_, plugin::open)) return Error{obituary()};
-  const auto reply = await(patienceForOpen_ms);
+  const auto reply = await(patience, hangsInOpen, stop);
   if (!reply) return reply.error();
   if (reply->isDone == 0) return Error{sentenceOf(*reply)};
   return {};
@@ -143,6 +164,13 @@ void PluginProcess::kill() noexcept
   isKilled_ = true;
   // By the descriptor: the number could be another process's by now.
   ::syscall(SYS_pidfd_send_signal, life_.get(), SIGKILL, nullptr, 0);
+  killGroup();
+}
+
+void PluginProcess::killGroup() noexcept
+{
+  // The host leads a session of its own. Its number is not another one's before it is waited for.
+  ::kill(-id_, SIGKILL);
 }
 
 std::string PluginProcess::obituary() const

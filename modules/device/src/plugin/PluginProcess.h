@@ -6,6 +6,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 #include "guard/CompanionProcess.h"
@@ -19,13 +20,16 @@ namespace perilymph::device::plugin {
 /// lists plug-ins.
 class PluginProcess {
 public:
-  /// Starts a host and loads the library in it.
+  /// Starts a host, which begins to load the library.
   ///
   /// @param library   Absolute path.
-  /// @param patience  After which a library that is not loaded yet is given up.
   /// @return The error continues "The plug-in is not taken:".
-  static Result<std::unique_ptr<PluginProcess>> start(const std::filesystem::path& library,
-                                                      Duration patience);
+  static Result<std::unique_ptr<PluginProcess>> start(const std::filesystem::path& library);
+  /// Waits until the library is loaded. The error continues "The plug-in is not taken:".
+  ///
+  /// @param patience  After which it is given up, and ended.
+  /// @param stop      Ends it earlier.
+  Result<void> load(Duration patience, const std::stop_token& stop = {});
   ~PluginProcess();  ///< Ends the host, at the latest by SIGKILL.
   PluginProcess(const PluginProcess&) = delete;
   PluginProcess& operator=(const PluginProcess&) = delete;
@@ -34,7 +38,7 @@ public:
   const PerilymphDeviceTraitsV1& traits() const noexcept { return traits_; }
 
   /// Opens the device; waits 30 s at most. Then the exchange runs until close().
-  Result<void> open();
+  Result<void> open(Duration patience, const std::stop_token& stop = {});
   /// Sets the force to zero and closes the device; kills a host that does not answer within 2 s.
   void close() noexcept;
 
@@ -42,8 +46,11 @@ public:
 
   /// The process has ended. Any thread; real-time safe.
   bool hasEnded() const noexcept;
-  /// Kills the process, so that the system closes the device's file. Any thread; real-time safe.
+  /// Kills the process and those it started, so that the system closes the device's file. Any thread;
+  /// real-time safe.
   void kill() noexcept;
+  /// The same for those that a host which ended left behind.
+  void killGroup() noexcept;
 
   /// A sentence: how the process ended, or that it was killed; empty while it runs.
   std::string obituary() const;
@@ -51,7 +58,8 @@ public:
 private:
   PluginProcess(std::string name, pid_t id, OwnedFile requests, OwnedFile replies,
                 Channel* channel) noexcept;
-  Result<Reply> await(int patience_ms);
+  /// @param tooSlow  The sentence for a host that does not answer, with the seconds in it.
+  Result<Reply> await(Duration patience, Phrase tooSlow, const std::stop_token& stop);
 
   std::string name_;
   pid_t id_;

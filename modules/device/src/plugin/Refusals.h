@@ -21,6 +21,10 @@ inline constexpr Phrase isIncomplete{
 inline constexpr Phrase findsNoDevice{"it finds no device. Plug the device in and try again."};
 inline constexpr Phrase tellsNoTraits{"it does not tell its traits."};
 
+/// Not from the process that loads it, but from the program that waits for it.
+inline constexpr Phrase isTooSlow{
+    "it did not answer within %1 s while it was loaded, and was ended. Tell its maker."};
+
 inline constexpr std::array all{cannotBeLoaded, isNoPlugin,    givesNothing, isOfAnotherVersion,
                                 isIncomplete,   findsNoDevice, tellsNoTraits};
 

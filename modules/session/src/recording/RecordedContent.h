@@ -26,7 +26,9 @@ struct RecordedInsertion::Content {
   RecordingFacts facts;
   bool wasClosed = false;
   std::uint64_t lostRecords = 0;
-  std::optional<Highlights> highlights;  ///< As stored in the file.
+  std::string note;
+  std::optional<Highlights> highlights;   ///< As stored in the file.
+  std::optional<std::uint64_t> lastTick;  ///< Those after it are left out.
 
   Error damaged(const Sentence& reason) const { return database.readingError(reason); }
 

@@ -167,7 +167,14 @@ Result<RecordedInsertion> RecordedInsertion::open(const fs::path& file, std::sto
   if (!database) return database.error();
   RecordedInsertion opened;
   opened.content_ = std::make_unique<Content>(file, *std::move(database));
-  if (const auto done = opened.content_->readFacts(); !done) return done.error();
+  Content& content = *opened.content_;
+  if (const auto done = content.readFacts(); !done) return done.error();
+  content.note = content.database.note();
+  if (content.note.empty() && opened.isBeingWritten())
+    content.note =
+        file.string() +
+        " is still being recorded: another program has it open, and has not closed it. "
+        "Read is what it held when it was opened; read it again after the insertion for the rest.";
   return opened;
 }
 
@@ -181,8 +188,10 @@ std::uint64_t RecordedInsertion::ticks() const
                          : "SELECT tick, 1 FROM tick WHERE tick >= ? ORDER BY tick";
   std::uint64_t count = 0;
   static_cast<void>(
-      content_->forEachRising(rows, 0, [&count](const Statement& row) -> Result<bool> {
+      content_->forEachRising(rows, 0, [&count, this](const Statement& row) -> Result<bool> {
         const auto ticks = static_cast<std::uint64_t>(row.integer(1));
+        if (content_->lastTick && static_cast<std::uint64_t>(row.integer(0)) > *content_->lastTick)
+          return false;
         if (ticks <= blockTicks) count += ticks;  // others cannot be read
         return ticks <= blockTicks;
       }));
@@ -193,7 +202,18 @@ std::uint64_t RecordedInsertion::lostRecords() const { return content_->lostReco
 
 bool RecordedInsertion::wasClosed() const noexcept { return content_->wasClosed; }
 
-const std::string& RecordedInsertion::note() const noexcept { return content_->database.note(); }
+bool RecordedInsertion::isBeingWritten() const noexcept
+{
+  return !content_->wasClosed && content_->database.isShared();
+}
+
+const std::string& RecordedInsertion::note() const noexcept { return content_->note; }
+
+void RecordedInsertion::endAfter(std::uint64_t lastTick) noexcept
+{
+  content_->lastTick = lastTick;
+  content_->highlights.reset();  // they are those of all ticks
+}
 
 Result<Highlights> RecordedInsertion::highlights() const
 {
@@ -210,12 +230,14 @@ Result<Highlights> RecordedInsertion::highlights() const
 Result<void> RecordedInsertion::forEach(const std::function<bool(const haptics::TickRecord&)>& each,
                                         std::uint64_t firstTick) const
 {
+  const auto last = content_->lastTick;
   return content_->forEachBlock(
       firstTick,
       [&](std::span<const haptics::TickRecord> records, const Statement&) -> Result<bool> {
-        return std::all_of(records.begin(), records.end(), [&](const auto& record) {
-          return record.tick < firstTick || each(record);
+        const bool goesOn = std::all_of(records.begin(), records.end(), [&](const auto& record) {
+          return record.tick < firstTick || ((!last || record.tick <= *last) && each(record));
         });
+        return goesOn && (!last || records.back().tick < *last);
       });
 }
 

@@ -70,8 +70,9 @@ struct Recording::Content {
   std::optional<Statement> insertBlock, removeBlocks, insertEvent, setMeta;
   BlockPacker packer;
   bool isClosed = false;
-  bool isEnded = false;  ///< Marked as closed; its log is not merged yet.
-  bool isCut = false;    ///< A drain failed.
+  bool isEnded = false;   ///< Marked as closed; its log is not merged yet.
+  bool isCut = false;     ///< A drain failed.
+  bool isMerged = false;  ///< Closed as one file: a log beside it is not its own.
 
   MetaRows meta;                          ///< As in the file.
   std::vector<haptics::TickRecord> open;  ///< The newest ticks, in small blocks so far.
@@ -279,7 +280,10 @@ Result<void> Recording::Content::goOn()
 {
   if (isCut) return cannotRecord("it is closed");
   if (!isAtItsPlace()) return isGone();
+  if (isMerged)
+    if (const auto alone = database::checkNoCompanions(file); !alone) return alone.error();
   auto done = begin();
+  isMerged = false;
   if (done) done = transact([this] { return keep(MetaKey::closed, "0") && keepHash(); });
   isClosed = !done;
   if (!done) return cannotRecord(done.error().message);
@@ -379,6 +383,7 @@ Result<bool> Recording::Content::mergeLog()
   const auto done = database->run("PRAGMA journal_mode=DELETE");
   if (!done && database->isBusy()) return false;
   letGo();
+  isMerged = static_cast<bool>(done);
   if (!done) return cannotRecord(done.error().message);
   return true;
 }

@@ -28,6 +28,13 @@ const database::FileKind& recordingKind()
     recording.formerTables = {
         meta, "CREATE TABLE tick(tick INTEGER PRIMARY KEY" + columns + ", record BLOB NOT NULL)",
         event};
+    recording.lasting = {
+        "SELECT key, value FROM meta WHERE key IN ('scenario_name','scenario','device','seed',"
+        "'model_fingerprint','version','build_id','started_utc') ORDER BY key",
+        "SELECT tick, time_s, kind, value FROM event ORDER BY rowid",
+        "SELECT tick, packed FROM block WHERE ticks = " + std::to_string(blockTicks) +
+            " ORDER BY tick",
+        "SELECT tick, record FROM tick ORDER BY tick"};
     return recording;
   }();
   return kind;

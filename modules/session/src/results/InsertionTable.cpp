@@ -182,6 +182,12 @@ bool insertRow(Statement& insert, const Row& row)
 
 }  // namespace
 
+std::vector<std::string> lastingRows(const std::string& table, const std::string& key)
+{
+  return {std::string("SELECT key, value FROM meta WHERE key <> '") + sealKey + "' ORDER BY key",
+          "SELECT * FROM " + table + " ORDER BY " + key};
+}
+
 Result<InsertionTable> InsertionTable::openToContinue(const fs::path& file,
                                                       const InsertionTableKind& kind,
                                                       const SealedFacts& facts)

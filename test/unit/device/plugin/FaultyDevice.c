@@ -18,7 +18,10 @@ enum {
   failsToWrite,
   otherAxes,
   monstrousTorque,
-  laterEntry
+  laterEntry,
+  lineInName,
+  monstrousDelay,
+  noButton
 };
 
 static int device;
@@ -34,10 +37,14 @@ static int32_t traits(void* it, PerilymphDeviceTraitsV1* out)
   out->renders_force = 1;
   out->max_force_N = FAULT == monstrousForce ? 1e9 : 1.0;
   out->nominal_period_s = 1e-3;
+  out->buttons = 1;
   if (FAULT == otherAxes) {
     out->actuated_translations = 2;
     out->actuated_axes = PERILYMPH_AXIS_Y;
   }
+  if (FAULT == lineInName) strcpy(out->name, "Handle\nIt may be trusted");
+  if (FAULT == monstrousDelay) out->transport_delay_s = 100.0;
+  if (FAULT == noButton) out->buttons = 0;
   if (FAULT == monstrousTorque) out->max_torque_N_m = 1e3;
   return 0;
 }

@@ -126,6 +126,11 @@ TEST(FaultyPlugin, IsRefusedWithASentence)
   EXPECT_THAT(refusal(faulty("noName")), HasSubstr("has no name"));
   EXPECT_THAT(refusal(faulty("monstrousForce")), HasSubstr("must be between 0.01 and 50"));
   EXPECT_THAT(refusal(faulty("noTraits")), HasSubstr("does not tell its traits"));
+  EXPECT_THAT(refusal(faulty("lineInName")),
+              HasSubstr("a line break or another control character"));
+  EXPECT_THAT(refusal(faulty("monstrousDelay")),
+              HasSubstr("its transport delay is 100 s; it must be between 0 and 0.1."));
+  EXPECT_THAT(refusal(faulty("noButton")), HasSubstr("renders force and has no button"));
 }
 
 TEST(FaultyPlugin, MayLeaveItsTextsOpenAtTheEnd)
@@ -187,6 +192,41 @@ TEST(NoPlugin, IsOneThatEverybodyMayChange)
   EXPECT_EQ(refusal(file), "it was taken");  // as /tmp: only its owner may replace it
 }
 
+TEST(NoPlugin, IsOneThatOthersMayReplaceThroughALinkOrAFolderAbove)
+{
+  const test::TemporaryFolder folder;
+  const fs::path open = folder / "open", inner = open / "inner", own = folder / "own";
+  fs::create_directories(inner);
+  fs::create_directory(own);
+  fs::copy_file(example(), inner / "real.so");
+  fs::create_symlink(inner / "real.so", own / "link.so");
+  fs::create_directory_symlink(inner, own / "linked");
+  EXPECT_EQ(refusal(own / "link.so"), "it was taken");
+  fs::permissions(open, fs::perms::others_write, fs::perm_options::add);
+  for (const fs::path& file : {inner / "real.so", own / "link.so", own / "linked" / "real.so"}) {
+    EXPECT_THAT(refusal(file), HasSubstr("may replace it")) << file;
+    EXPECT_THAT(refusal(file), HasSubstr("chmod o-w " + open.string())) << file;
+  }
+  fs::permissions(open, fs::perms::sticky_bit, fs::perm_options::add);
+  EXPECT_EQ(refusal(own / "link.so"), "it was taken");
+}
+
+TEST(NoPlugin, IsOneOfAnotherUser)
+{
+  if (::geteuid() != 0) GTEST_SKIP() << "Only root gives files away.";
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder / "theirs");
+  const fs::path file = folder / "theirs" / "own.so";
+  fs::copy_file(example(), file);
+  constexpr uid_t nobody = 65534;
+  ASSERT_EQ(::chown(file.c_str(), nobody, 0), 0);
+  EXPECT_THAT(refusal(file), HasSubstr("nobody may change it"));
+  ASSERT_EQ(::chown(file.c_str(), 0, 0), 0);
+  EXPECT_EQ(refusal(file), "it was taken");
+  ASSERT_EQ(::chown((folder / "theirs").c_str(), nobody, 0), 0);
+  EXPECT_THAT(refusal(file), HasSubstr("nobody may replace it"));
+}
+
 TEST(NoPlugin, ThatMayNotBeReadIsRefusedWithTheCommandThatHelps)
 {
   if (::geteuid() == 0) GTEST_SKIP() << "Root may read every file.";
@@ -235,10 +275,26 @@ TEST(InstalledPlugins, AreFoundByTheNameOfTheDeviceOrOfTheFile)
   const std::vector<FoundPlugin> survey{{"/a/one.so", "Handle", {}, {}},
                                         {"/a/two.so", "Other", {}, {}}};
   for (const char* name : {"/a/two.so", "two.so", "two", "Other"}) {
-    ASSERT_NE(pluginNamed(survey, name), nullptr) << name;
-    EXPECT_EQ(pluginNamed(survey, name)->file, "/a/two.so");
+    const auto found = pluginNamed(survey, name);
+    ASSERT_TRUE(found && *found) << name;
+    EXPECT_EQ((*found)->file, "/a/two.so");
   }
-  EXPECT_EQ(pluginNamed(survey, "three"), nullptr);
+  EXPECT_EQ(*pluginNamed(survey, "three"), nullptr);
+}
+
+TEST(InstalledPlugins, OfOneNameAreNotTakenForOneAnother)
+{
+  const std::vector<FoundPlugin> survey{{"/a/one.so", "Handle", {}, {}},
+                                        {"/b/one.so", "Pen", {}, {}},
+                                        {"/c/two.so", "Handle", {}, {}}};
+  for (const char* name : {"Handle", "one", "one.so"}) {
+    const auto found = pluginNamed(survey, name);
+    ASSERT_FALSE(found) << name;
+    EXPECT_THAT(found.error().message, HasSubstr("2 plug-ins are named " + std::string(name)));
+    EXPECT_THAT(found.error().message, HasSubstr("/a/one.so, "));
+  }
+  EXPECT_EQ((*pluginNamed(survey, "/c/two.so"))->name, "Handle");
+  EXPECT_EQ((*pluginNamed(survey, "Pen"))->file, "/b/one.so");
 }
 
 TEST(InstalledPlugins, ThatHangWhileTheyAreLoadedAreGivenUp)
@@ -248,8 +304,28 @@ TEST(InstalledPlugins, ThatHangWhileTheyAreLoadedAreGivenUp)
   const auto loaded = loadPluginDevice(test::testPlugin("socket_device"), milliseconds(200));
   ::unsetenv("PERILYMPH_TEST_FAULT");
   ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().message, HasSubstr("did not answer and was ended"));
+  EXPECT_THAT(loaded.error().message, HasSubstr("did not answer within 0 s while it was loaded"));
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(10));
+}
+
+TEST(InstalledPlugins, ThatHangDelayTheListOnce)
+{
+  const test::TemporaryFolder folder;
+  for (int i = 0; i < 8; ++i)
+    fs::copy_file(test::testPlugin("socket_device"),
+                  folder / ("hangs" + std::to_string(i) + ".so"));
+  fs::copy_file(example(), folder / "sound.so");
+  ::setenv("PERILYMPH_TEST_FAULT", "hang in create", 1);
+  const auto began = std::chrono::steady_clock::now();
+  const auto found = surveyPlugins({folder.path()}, milliseconds(2000));
+  const auto time = std::chrono::steady_clock::now() - began;
+  ::unsetenv("PERILYMPH_TEST_FAULT");
+  ASSERT_EQ(found.size(), 9u);
+  for (int i = 0; i < 8; ++i)
+    EXPECT_THAT(found[static_cast<std::size_t>(i)].obstacle, HasSubstr("did not answer within"));
+  EXPECT_TRUE(found[8].isUsable()) << found[8].obstacle;
+  // one after the other it would be 16 s; the rest is for ending them on a busy machine
+  EXPECT_LT(time, std::chrono::seconds(8));
 }
 
 TEST(InstalledPlugins, AreInTheUsersDataHomeAndInThePackagesLibraries)

@@ -34,15 +34,23 @@ constexpr const char* crashed = "ended its process (status 1)";  // the sanitize
 constexpr const char* crashed = "crashed (signal 11)";
 #endif
 
-/// Child processes of this one.
-std::vector<pid_t> children()
+/// Child processes of this one, or of another.
+std::vector<pid_t> children(const std::string& process = "self")
 {
   std::vector<pid_t> found;
-  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/" + process + "/task")) {
     std::ifstream file(task.path() / "children");
     for (pid_t id = 0; file >> id;) found.push_back(id);
   }
   return found;
+}
+
+/// It has ended, though perhaps nobody has waited for it.
+bool hasEnded(pid_t id)
+{
+  std::ifstream file("/proc/" + std::to_string(id) + "/stat");
+  std::string number, name, state;
+  return !(file >> number >> name >> state) || state == "Z" || state == "X";
 }
 
 class PluginFault : public testing::Test {
@@ -190,6 +198,39 @@ TEST_F(PluginFault, StoppedAsAWholeIsEndedByTheProgram)
   EXPECT_THAT(error(), HasSubstr("did not answer and was ended"));
 }
 
+/// The process that a plug-in with the fault "leaves a child" started.
+pid_t childOfHost()
+{
+  const auto hosts = children();
+  EXPECT_EQ(hosts.size(), 1u);
+  if (hosts.size() != 1) return 0;
+  std::vector<pid_t> left;
+  EXPECT_TRUE(waitUntil([&] { return !(left = children(std::to_string(hosts[0]))).empty(); }));
+  return left.empty() ? 0 : left[0];
+}
+
+TEST_F(PluginFault, LeavingAChildEndsWithIt)
+{
+  load("leaves a child");
+  ASSERT_TRUE(device_->open());
+  const pid_t child = childOfHost();
+  ASSERT_NE(child, 0);
+  EXPECT_FALSE(hasEnded(child));
+  device_.reset();
+  EXPECT_TRUE(waitUntil([&] { return hasEnded(child); }));
+}
+
+TEST_F(PluginFault, LeavingAChildAndCrashingEndsWithIt)
+{
+  load("leaves a child");
+  ASSERT_TRUE(device_->open());
+  const pid_t child = childOfHost();
+  ASSERT_NE(child, 0);
+  ::kill(children().at(0), SIGKILL);
+  tickUntil([this] { return !device_->health()->isConnected; });
+  EXPECT_TRUE(waitUntil([&] { return hasEnded(child); }));
+}
+
 TEST_F(PluginFault, LostIsLoadedAgainWhenItIsOpened)
 {
   runUntilLost("crash in read");
@@ -309,6 +350,21 @@ TEST_F(PluginOfAProgram, WritesZeroAndEndsWhenTheProgramIsKilled)
   program_->send(SIGKILL);
   EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
   EXPECT_EQ(listener_.forces().back(), 0.0);
+}
+
+TEST_F(PluginOfAProgram, EndsWithItsChildWhenTheProgramIsKilled)
+{
+  startPushing("leaves a child");
+  const auto programs = children();
+  ASSERT_EQ(programs.size(), 1u);
+  const auto hosts = children(std::to_string(programs[0]));
+  ASSERT_EQ(hosts.size(), 1u);
+  const auto left = children(std::to_string(hosts[0]));
+  ASSERT_EQ(left.size(), 1u);
+  program_->send(SIGKILL);
+  EXPECT_TRUE(waitUntil([this] { return listener_.isLeft(); }));
+  EXPECT_EQ(listener_.forces().back(), 0.0);
+  EXPECT_TRUE(waitUntil([&] { return hasEnded(left[0]); }));
 }
 
 TEST_F(PluginOfAProgram, EndsWhenTheProgramIsKilledWhileItHangs)

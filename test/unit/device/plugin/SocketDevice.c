@@ -53,6 +53,8 @@ static void fail(const char* where)
 static void* create(void)
 {
   fail("create");
+  if (hasFault("leaves a child") && fork() == 0)
+    for (;;) pause();
   return &connection;
 }
 static void destroy(void* it) { (void)it; }
@@ -64,6 +66,7 @@ static int32_t traits(void* it, PerilymphDeviceTraitsV1* out)
   out->renders_force = 1;
   out->max_force_N = 1.0;
   out->nominal_period_s = 1e-3;
+  out->buttons = 1;
   out->sensed_translations = 3;
   out->actuated_translations = 3;
   out->actuated_rotations = 1;

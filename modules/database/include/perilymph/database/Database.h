@@ -66,14 +66,17 @@ public:
   /// regular file; files of another kind or a newer version; truncated files; companion files that
   /// are links or name further files; tables that differ from those of the kind. A file that was
   /// not closed is recovered with its `-wal` file; if the file is not writable, only checkpointed
-  /// content is read, which note() states. Any other file is opened without writing to it.
+  /// content is read, which note() states. Any other file is opened without writing to it. A `-wal` or
+  /// `-journal` file of another file is neither read nor changed; note() names it.
+  ///
+  /// All that is read is of one state of the file, even while another program writes it.
   ///
   /// The work per query is bounded by the size of the file; `stop` ends it earlier.
   static Result<Database> open(const std::filesystem::path& file, const FileKind& kind,
                                std::stop_token stop = {});
 
   /// Opens a file of a given kind to add to it, with the same checks. Refuses a file that may not be
-  /// written and one that another process writes.
+  /// written, one that another process writes, and one beside which another file's log lies.
   static Result<Database> openToAppend(const std::filesystem::path& file, const FileKind& kind);
 
   Database(Database&&) noexcept;
@@ -82,6 +85,8 @@ public:
 
   /// A sentence about content that could not be read, or empty.
   const std::string& note() const noexcept;
+  /// Others had the file open when it was opened: most likely a program that writes it.
+  bool isShared() const noexcept;
   /// The version of its kind that the file states.
   std::int64_t version() const noexcept;
 
@@ -107,8 +112,9 @@ public:
   /// Message for a file that could not be read: damaged, with the reason, or stopped.
   Error readingError(const Sentence& reason) const;
 
+  struct Content;  ///< In `src`.
+
 private:
-  struct Content;
   explicit Database(std::unique_ptr<Content> content);
   std::unique_ptr<Content> content_;
 };

@@ -28,6 +28,9 @@ struct FileKind {
   std::vector<std::string> formerViews = {};
   std::int64_t tablesSince = 1;                ///< First version with `tables`.
   std::vector<std::string> formerTables = {};  ///< The same of files of versions before it.
+  /// Queries for rows that are never changed or removed once they are written: the log of a file has
+  /// them all. Those of tables that a version does not have are not used.
+  std::vector<std::string> lasting = {};
 };
 
 /// SQL statements that mark an empty file as the newest version of its kind, begin a transaction

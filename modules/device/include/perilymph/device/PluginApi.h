@@ -46,7 +46,7 @@ typedef struct PerilymphDeviceTraitsV1 {
   int32_t sensed_rotations;
   int32_t actuated_translations;
   int32_t actuated_rotations;
-  int32_t buttons;
+  int32_t buttons; /* At least 1 of a device that renders force or torque. */
   int32_t reserved;
   /* Appended. */
   double max_torque_N_m;  /* 0: renders no torque. */

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -14,20 +15,24 @@
 
 namespace perilymph::device {
 
-/// Devices that look for their hardware when they are loaded take seconds.
-inline constexpr Duration patienceForLoading = Duration::fromSi(30.0);
-/// A plug-in that takes longer is listed without its traits.
+/// Longest time of loading a plug-in, and of opening its device (a choice): devices that look for their
+/// hardware or load their firmware take seconds.
+inline constexpr Duration patienceForLoading = Duration::fromSi(10.0);
+/// Longest time of a survey: plug-ins that take longer are listed without their traits.
 inline constexpr Duration patienceForSurvey = Duration::fromSi(5.0);
 
 /// Loads a plug-in in a process of its own and wraps its device; the process lives as long as the
 /// device. A plug-in that crashes or hangs ends with its process, and its force with it: samples are
 /// invalid from then on, health() states why, and open() loads it again.
 ///
-/// The error states why a library is refused: not found, not readable, writable for everybody, not a
+/// The error states why a library is refused: not found, not readable, changeable by others, not a
 /// plug-in, another version, incomplete, invalid traits, too slow. Loading executes the library's
 /// code, never in this process: load only trusted libraries.
+///
+/// @param stop  Ends loading, and the opening of the device, with an error.
 Result<std::unique_ptr<HapticDevice>> loadPluginDevice(const std::filesystem::path& library,
-                                                       Duration patience = patienceForLoading);
+                                                       Duration patience = patienceForLoading,
+                                                       const std::stop_token& stop = {});
 
 /// An installed plug-in.
 struct FoundPlugin {
@@ -46,13 +51,16 @@ std::vector<std::filesystem::path> pluginFolders();
 /// The shared libraries in a folder and its subfolders, sorted.
 std::vector<std::filesystem::path> pluginLibraries(const std::filesystem::path& folder);
 
-/// Loads each installed plug-in for a moment, in a process of its own, without opening its device.
-/// May take seconds.
+/// Loads all installed plug-ins at once for a moment, each in a process of its own, without opening
+/// their devices: whether one is connected shows when it is opened. Takes as long as the slowest, at
+/// most `patience`.
 std::vector<FoundPlugin> surveyPlugins(
-    const std::vector<std::filesystem::path>& folders = pluginFolders());
+    const std::vector<std::filesystem::path>& folders = pluginFolders(),
+    Duration patience = patienceForSurvey);
 
-/// The plug-in with this device name, file name (with or without its ending) or path; null if none
-/// has it.
-const FoundPlugin* pluginNamed(const std::vector<FoundPlugin>& survey, const std::string& name);
+/// The plug-in with this path, else that with this device name or file name (with or without its
+/// ending); null if none has it. An error if several have it, with their paths.
+Result<const FoundPlugin*> pluginNamed(const std::vector<FoundPlugin>& survey,
+                                       const std::string& name);
 
 }  // namespace perilymph::device

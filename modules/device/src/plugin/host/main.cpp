@@ -8,6 +8,7 @@
 // The main thread calls the plug-in; a second one watches it (CallTimeout). When the program is gone,
 // the force is set to zero, the device is closed, and the process ends.
 
+#include <poll.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -70,6 +71,20 @@ void standApart()
   ::close_range(replies + 1, ~0u, 0);
 }
 
+/// Ends what the plug-in left running in the session of this process, once the program is gone. Else
+/// the program does that.
+struct GroupEnd {
+  GroupEnd() = default;
+  ~GroupEnd()
+  {
+    pollfd program{static_cast<int>(requests), 0, 0};
+    ::poll(&program, 1, 0);
+    if ((program.revents & (POLLHUP | POLLERR)) != 0) ::kill(0, SIGKILL);
+  }
+  GroupEnd(const GroupEnd&) = delete;
+  GroupEnd& operator=(const GroupEnd&) = delete;
+};
+
 void reply(Reply answer, const std::string& sentence = {})
 {
   // Without a terminating zero if it fills the field.
@@ -124,6 +139,7 @@ int main(int count, char** text)
   auto& memory = *static_cast<Channel*>(place);
 
   CallTimeout watch(memory);
+  const GroupEnd afterTheLibrary;
   std::optional<CallGuard> loading(std::in_place, memory, Function::load);
   const auto library = Library::load(text[1]);
   loading.reset();

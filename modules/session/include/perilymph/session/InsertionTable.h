@@ -48,6 +48,9 @@ struct InsertionTableKind {
 inline constexpr const char* fingerprintFact = "fingerprint";
 inline constexpr const char* programFact = "program";
 
+/// FileKind::lasting of such a file: its facts but the seal, and the rows of a table by its key.
+std::vector<std::string> lastingRows(const std::string& table, const std::string& key);
+
 /// An open file. Its seal covers all facts and all rows and is renewed with every block.
 class InsertionTable {
 public:

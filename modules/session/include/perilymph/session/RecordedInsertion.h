@@ -36,7 +36,8 @@ std::string noteOn(const RecordingCheck& check, const std::filesystem::path& fil
 class RecordedInsertion {
 public:
   /// Opens a recording. One that was not closed is recovered with its `-wal` file; in a read-only
-  /// folder only checkpointed content can be read, which note() states.
+  /// folder only checkpointed content can be read, which note() states. All that is read is of one
+  /// state of the file, also while it is being written.
   ///
   /// @param stop  Ends this and all later reads, with an error.
   static Result<RecordedInsertion> open(const std::filesystem::path& file,
@@ -46,11 +47,16 @@ public:
   ~RecordedInsertion();
 
   const RecordingFacts& facts() const noexcept;
-  std::uint64_t ticks() const;               ///< Rows in the file, counted individually.
-  std::uint64_t lostRecords() const;         ///< Ticks that ran but are not in the file.
-  bool wasClosed() const noexcept;           ///< False after a crash, or during recording.
+  std::uint64_t ticks() const;        ///< Rows in the file, counted individually.
+  std::uint64_t lostRecords() const;  ///< Ticks that ran but are not in the file.
+  bool wasClosed() const noexcept;    ///< False after a crash, or during recording.
+  /// Not closed, and another connection has it open: most likely that which writes it.
+  bool isBeingWritten() const noexcept;
   const std::string& note() const noexcept;  ///< A sentence about content that could not be read,
                                              ///< or empty.
+
+  /// Leaves out all ticks after this one from now on, because they cannot be read.
+  void endAfter(std::uint64_t lastTick) noexcept;
 
   /// Key figures of the insertion: as stored when the recording was closed, else computed from the
   /// ticks.

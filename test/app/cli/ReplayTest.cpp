@@ -169,7 +169,11 @@ TEST(ReplayCommand, ExportsWhatIsBeforeADamagedBlock)
 {
   const TemporaryFolder folder;
   const std::string file = folder / "damaged.insertion";
-  ASSERT_EQ(cli(shortSimulation({"--record", file})).status, 0);
+  // 4 mm at 2 mm/s: 2000 time steps, in two blocks
+  ASSERT_EQ(cli({"simulate", "--scenario", "contour-published", "--nodes", "30", "--set",
+                 "stop_travel_mm=4.0", "--record", file})
+                .status,
+            0);
   const std::string all = folder / "all.csv";
   ASSERT_EQ(cli({"replay", file, "--csv", all}).status, 0);
   sqlite3* database = nullptr;

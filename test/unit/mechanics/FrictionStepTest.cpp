@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "friction/FrictionKernel.h"
 #include "perilymph/test/Tolerance.h"
 
 namespace perilymph::mechanics {
@@ -96,6 +97,14 @@ TEST(FrictionStep, HasTheDerivativeOfItsForceAsStiffness)
       EXPECT_LT((change + here.stiffness(up) * way).norm(), tolerance(1e-2, "of up to 200 N/m"));
     }
   }
+}
+
+/// The kernel's curve is the law's.
+TEST(FrictionStep, SlidesWithTheCurveOfItsLaw)
+{
+  const FrictionLaw law{0.06, 0.04, 0.02, millimetersPerSecond(0.1), {}};
+  for (double speed = 0.0; speed < 3e-3; speed += 0.01e-3)
+    ASSERT_EQ(slidingByCurve(law, speed), law.sliding(speed)) << speed;
 }
 
 TEST(FrictionStep, NeverPushesANodeOn)

@@ -7,6 +7,8 @@
 #include <array>
 #include <random>
 
+#include "friction/FrictionKernel.h"
+#include "friction/FrictionStep.h"
 #include "rod/Rod.h"
 #include "solver/NewtonStep.h"
 
@@ -107,6 +109,50 @@ TEST_P(Lanes, GiveForcesThatAddUpToZero)
   for (const Vector3d& force : piece.force_W) sum += force, size = std::max(size, force.norm());
   EXPECT_GT(size, 1e-3);
   EXPECT_LT(sum.norm(), 1e-12 * size * 23.0);
+}
+
+// Nodes that stick, slide and come to rest, side by side.
+TEST_P(Lanes, GiveTheFrictionOfSingleNodes)
+{
+  FrictionLaw measured;
+  measured.bySpeed = {
+      {millimetersPerSecond(0.1), millimetersPerSecond(1.5), millimetersPerSecond(2.0)},
+      {0.24, 0.59, 0.45}};
+  std::mt19937 random(4);
+  const auto upTo = [&random](double most) {
+    return most * static_cast<double>(random()) / 0x1p32;
+  };
+  constexpr double stiffness = 200.0, timeStep = 1e-3;
+  int sliding = 0, sticking = 0;
+  for (const FrictionLaw& law : {FrictionLaw{}, measured})
+    for (int trial = 0; trial < 1000; ++trial) {
+      double x[4], y[4], normal[4], slid[4], speed[4];
+      double force[4], spring[4], slides[4], across[4], along[4];
+      for (int lane = 0; lane < 4; ++lane) {
+        x[lane] = upTo(10e-6), y[lane] = upTo(1e-6), normal[lane] = upTo(20e-3);
+        slid[lane] = upTo(1.0) < 0.5 ? no : yes, speed[lane] = upTo(2.5e-3);
+      }
+      withLanes([&]() PERILYMPH_KERNEL {
+        const FrictionStepOf<Four> step = frictionStepAt<Four>(
+            {load<Four>(x, 0), load<Four>(y, 0), Four{}}, load<Four>(normal, 0), Four{} + stiffness,
+            {load<Four>(slid, 0), load<Four>(speed, 0)}, law, timeStep);
+        store(step.force_W.x, force, 0), store(step.spring_W.y, spring, 0);
+        store(step.isSliding, slides, 0);
+        store(step.across, across, 0), store(step.along, along, 0);
+      });
+      for (int lane = 0; lane < 4; ++lane) {
+        const FrictionStep alone = frictionStep({x[lane], y[lane], 0.0}, normal[lane], stiffness,
+                                                {slid[lane] == yes, speed[lane]}, law, timeStep);
+        ASSERT_EQ(force[lane], alone.force_W.x());
+        ASSERT_EQ(spring[lane], alone.spring_W.y());
+        ASSERT_EQ(slides[lane] == yes, alone.isSliding);
+        ASSERT_EQ(across[lane], alone.across);
+        ASSERT_EQ(along[lane], alone.along);
+        ++(alone.isSliding ? sliding : sticking);
+      }
+    }
+  EXPECT_GT(sliding, 1000);
+  EXPECT_GT(sticking, 1000);
 }
 
 TEST_P(Lanes, MoveEveryNodeAsAlone)

@@ -130,9 +130,9 @@ void findHalf(const InsertionModel& model, const InsertionState& state, const Ro
 
 /// Normal force of the wall on a node, or on four: of those of `mayPress` that touch it.
 template <class T, class Condition>
-PERILYMPH_IN_LANES void press(const InsertionModel& model, InsertionState& state,
-                              const Condition& mayPress, std::size_t i,
-                              ContactSet& contacts) noexcept
+PERILYMPH_IN_LANES void normalContact(const InsertionModel& model, InsertionState& state,
+                                      const Condition& mayPress, std::size_t i,
+                                      ContactSet& contacts) noexcept
 {
   const T half = load<T>(model.isOval ? contacts.half : model.radius, i);
   const T penetration = half - load<T>(contacts.distance, i);
@@ -190,9 +190,10 @@ void turnSection(const InsertionModel& model, InsertionState& state, std::size_t
 /// Friction on a node, or on four, that touched the wall at the end of the last step. Its bound is the
 /// total pressure, even where the forces of two walls cancel.
 template <class T, class Condition>
-PERILYMPH_IN_LANES void rub(const InsertionModel& model, InsertionState& state,
-                            const StepStart& start, const Condition& hasFriction, std::size_t i,
-                            const ContactSet& contacts, FrictionHistory& history) noexcept
+PERILYMPH_IN_LANES void friction(const InsertionModel& model, InsertionState& state,
+                                 const StepStart& start, const Condition& hasFriction,
+                                 std::size_t i, const ContactSet& contacts,
+                                 FrictionHistory& history) noexcept
 {
   const Triple<T> normal_W = load<T>(history.normalBefore_W, i);
   const Triple<T> moved = load<T>(state.position_W, i) - load<T>(start.position_W, i);
@@ -205,23 +206,22 @@ PERILYMPH_IN_LANES void rub(const InsertionModel& model, InsertionState& state,
     film_W = film_W + (film - dot(normal_W, film) * normal_W);
   }
   const T slid = loadBytes<T>(state.isSliding, i);
-  const FrictionOf<T> friction =
+  const FrictionOf<T> found =
       frictionWithFilmAt<T>(slip + spring - dot(normal_W, spring) * normal_W, film_W,
                             load<T>(history.pressedBefore, i), load<T>(model.wallTangential, i),
                             {slid, load<T>(state.slipSpeed, i)}, model.parts.friction, model);
   const Triple<T> onWall = load<T>(state.wallForce_W, i);
-  const Triple<T> force_W = model.film.fraction > 0.0
-                                ? friction.plain.force_W + friction.film.force_W
-                                : friction.plain.force_W;
+  const Triple<T> force_W =
+      model.film.fraction > 0.0 ? found.plain.force_W + found.film.force_W : found.plain.force_W;
   store(oneOf(hasFriction, onWall + force_W, onWall), state.wallForce_W, i);
-  store(friction.plain, history.plain, i);
-  if (model.film.fraction > 0.0) store(friction.film, history.film, i);
+  store(found.plain, history.plain, i);
+  if (model.film.fraction > 0.0) store(found.film, history.film, i);
   // a node that left the wall has no friction history
   const auto keeps = hasFriction & (load<T>(contacts.isPressed, i) == yes);
-  store(oneOf(keeps, friction.plain.spring_W, Triple<T>{}), history.spring_W, i);
-  store(oneOf(keeps, friction.film.spring_W, Triple<T>{}), history.film_W, i);
+  store(oneOf(keeps, found.plain.spring_W, Triple<T>{}), history.spring_W, i);
+  store(oneOf(keeps, found.film.spring_W, Triple<T>{}), history.film_W, i);
   store(oneOf(keeps, root(dot(slip, slip)), T{}), history.slip, i);
-  storeBytes(flagsOf<T>(keeps & (friction.plain.isSliding == yes)), history.isSliding, i);
+  storeBytes(flagsOf<T>(keeps & (found.plain.isSliding == yes)), history.isSliding, i);
 }
 
 /// Stiffness of a contact: on a concave wall the normal rotates as the node moves along it.
@@ -294,7 +294,7 @@ PERILYMPH_IN_LANES void touch(const InsertionModel& model, InsertionState& state
     for (std::size_t i = first; i < first + lanes; ++i)
       if (contacts.mayPress[i] == yes) findHalf(model, state, rod, i, contacts);
   }
-  press<T>(model, state, mayPress, first, contacts);
+  normalContact<T>(model, state, mayPress, first, contacts);
   if (model.membrane || model.isOval || isOpen)
     for (std::size_t i = first; i < first + lanes; ++i) {
       const bool isPressed = contacts.isPressed[i] == yes;
@@ -303,7 +303,7 @@ PERILYMPH_IN_LANES void touch(const InsertionModel& model, InsertionState& state
       if (isOpen && contacts.open[i].isOpen)
         contacts.isPressed[i] = openContact(model, state, rod, i, contacts) ? yes : no;
     }
-  if (inAny(hasFriction)) rub<T>(model, state, start, hasFriction, first, contacts, history);
+  if (inAny(hasFriction)) friction<T>(model, state, start, hasFriction, first, contacts, history);
 
   const auto touches = hasFriction | (load<T>(contacts.isPressed, first) == yes);
   const Triple<T> force = load<T>(force_W, first);

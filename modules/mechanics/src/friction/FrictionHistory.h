@@ -67,7 +67,7 @@ struct FrictionHistory {
   std::vector<Eigen::Vector3d> film_W;  ///< The same of the relaxing film, if there is one.
   std::vector<double> slip;             ///< Slip of each node in this step [m].
   std::vector<unsigned char> isSliding;  ///< After this iteration.
-  FrictionStiffness plain;  ///< Of the nodes with a normal force that bounds friction ...
+  FrictionStiffness plain;  ///< Set at nodes with a normal force that bounds friction ...
   FrictionStiffness film;   ///< ... and of their film, if there is one.
 };
 

@@ -38,7 +38,7 @@ function(perilymph_precompile target set)
   # GCC 12 otherwise regards the standard library's strings in a precompiled header as the project's
   # own code.
   target_compile_options(${target} PRIVATE
-    -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overflow;-Wno-stringop-overread>")
   if(arg_OWN)
     get_target_property(headers perilymph_precompiled_${set} PERILYMPH_HEADERS)
     target_precompile_headers(${target} PRIVATE ${headers})

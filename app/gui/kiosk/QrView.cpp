@@ -20,8 +20,8 @@ QImage qrCode(const QString& text)
   const QByteArray bytes = text.toUtf8();
   if (bytes.isEmpty()) return {};
   const std::unique_ptr<QRcode, decltype(&QRcode_free)> code(
-      QRcode_encodeData(bytes.size(), reinterpret_cast<const unsigned char*>(bytes.constData()), 0,
-                        QR_ECLEVEL_L),
+      QRcode_encodeData(int(bytes.size()),
+                        reinterpret_cast<const unsigned char*>(bytes.constData()), 0, QR_ECLEVEL_L),
       &QRcode_free);
   if (!code) return {};
   const int side = code->width + 2 * quietZone;

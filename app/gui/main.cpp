@@ -19,6 +19,7 @@
 #include "gui/program/CrashMarker.h"
 #include "gui/program/CrashRecovery.h"
 #include "gui/program/DisplayProbe.h"
+#include "gui/program/FreedMemory.h"
 #include "gui/program/Languages.h"
 #include "gui/program/Logging.h"
 #include "gui/program/PlanReporting.h"
@@ -219,6 +220,7 @@ int run(int argc, char** argv, const gui::CommandLine& options)
   if (!scenario) return refuse(scenario.error().message);
   if (const auto display = gui::probeDisplay(); !display) return refuse(display.error().message);
 
+  gui::keepFreedMemory();
   gui::prepareQt();
   gui::Application application(argc, argv);
   const gui::TerminationSignals signals(nullptr);

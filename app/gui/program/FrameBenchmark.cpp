@@ -2,6 +2,7 @@
 #include "gui/program/FrameBenchmark.h"
 
 #include <QCoreApplication>
+#include <QScreen>
 #include <QTimer>
 #include <cstdio>
 #include <memory>
@@ -123,6 +124,7 @@ private:
 
 void measureFrames(MainWindow& window, std::optional<std::uint64_t> ticks)
 {
+  window.setGeometry(window.screen()->availableGeometry());
   auto measurement = std::make_shared<FrameBenchmark>(window, ticks);
   auto* poll = new QTimer(&window);
   QObject::connect(poll, &QTimer::timeout, &window, [poll, measurement] {

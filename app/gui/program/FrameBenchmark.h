@@ -10,7 +10,7 @@ namespace perilymph::gui {
 
 class MainWindow;
 
-/// Starts the demonstration, prints frame times and late ticks at its end, and ends the
+/// Starts the demonstration in a window as large as the screen, prints frame times and late ticks at its end, and ends the
 /// application.
 ///
 /// @param ticks  If given: inserts and withdraws until this number of ticks was recorded, and

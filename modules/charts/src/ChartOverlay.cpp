@@ -71,6 +71,7 @@ void disc(vtkContext2D& painter, float x, float y, float radius, const vtkColor4
 
 void ChartOverlay::setScale(double pixelRatio)
 {
+  if (scale_ != static_cast<float>(pixelRatio)) widths_.clear();
   scale_ = static_cast<float>(pixelRatio);
   Modified();
 }
@@ -280,10 +281,13 @@ void ChartOverlay::paintSwatch(vtkContext2D& painter, const LegendEntry& entry, 
 
 float ChartOverlay::widthOf(vtkContext2D& painter, const std::string& label) const
 {
+  if (const auto known = widths_.find(label); known != widths_.end()) return known->second;
+  constexpr std::size_t maxWidths = 1000;  // labels of one chart; more are those of former ones
+  if (widths_.size() >= maxWidths) widths_.clear();
   float bounds[4];  // left, bottom, width, height
   setText(painter, colorOf(inks_->text), VTK_TEXT_LEFT);
   painter.ComputeStringBounds(label, bounds);
-  return bounds[2];
+  return widths_[label] = bounds[2];
 }
 
 std::string ChartOverlay::fitted(vtkContext2D& painter, const std::string& label, float width) const

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -95,6 +96,7 @@ private:
   void paintTrends(vtkContext2D& painter, const Area& area) const;
   void paintRing(vtkContext2D& painter, const Area& area) const;
   void paintLegend(vtkContext2D& painter, const Area& area) const;
+  /// Width of a label [px]. It is measured once: shaping text costs more than drawing it.
   float widthOf(vtkContext2D& painter, const std::string& label) const;
   /// The label, with an ellipsis at its end if it is wider than that [px].
   std::string fitted(vtkContext2D& painter, const std::string& label, float width) const;
@@ -111,6 +113,7 @@ private:
   const figures::Palette* inks_ = &figures::paletteOf(figures::ColorScheme::dark);
   vtkChartXY* chart_ = nullptr;  // owned by the frame
   float scale_ = 1.0f;
+  mutable std::unordered_map<std::string, float> widths_;
 };
 
 }  // namespace perilymph::charts

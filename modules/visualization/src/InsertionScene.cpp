@@ -10,6 +10,7 @@
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkOpenGLRenderer.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 
@@ -24,6 +25,7 @@
 #include "ContactMarks.h"
 #include "GhostArray.h"
 #include "PictureSpace.h"
+#include "RestingPicture.h"
 #include "ScalaParts.h"
 #include "ScaleBars.h"
 
@@ -114,6 +116,7 @@ struct InsertionScene::Content {
   vtkNew<vtkContextActor> overlay;
   vtkNew<ScaleBars> bars;
   vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<RestingPicture> resting;
   vtkNew<vtkCallbackCommand> prepareCommand;
   unsigned long prepareObserver = 0;
 
@@ -184,23 +187,36 @@ void InsertionScene::Content::addActors(const QualityTraits& traits, const Scene
   addLight(*renderer, -0.5, 0.75, 1.0, 1.0);  // one key light, from above left
   renderer->GetCullers()->RemoveAllItems();   // a dozen actors, always visible
 
+  vtkPropCollection& props = *renderer->GetViewProps();
+  const auto addMoving = [&](const auto& add) {
+    const int before = props.GetNumberOfItems();
+    add();
+    for (int i = before; i < props.GetNumberOfItems(); ++i)
+      resting->addMoving(*vtkActor::SafeDownCast(props.GetItemAsObject(i)));
+  };
   // Solid parts first, then translucent ones from far to near.
-  arrayParts.addSolid(*renderer);
+  addMoving([&] { arrayParts.addSolid(*renderer); });
   scalaParts.addFarWall(*renderer);
-  if (traits.hasShadow) arrayParts.addShadow(*renderer);
+  addMoving([&] {
+    if (traits.hasShadow) arrayParts.addShadow(*renderer);
+  });
   scalaParts.addMembrane(*renderer);
-  marks.addGlow(*renderer);
+  addMoving([&] { marks.addGlow(*renderer); });
   scalaParts.addNearWall(*renderer);
-  arrayParts.addOutline(*renderer);
-  ghost.addTo(*renderer);
-  marks.addArrows(*renderer);
-  bone.addLines();
+  addMoving([&] {
+    arrayParts.addOutline(*renderer);
+    ghost.addTo(*renderer);
+    marks.addArrows(*renderer);
+    bone.addLines();  // with the contacts' labels
+  });
 
   overlay->GetScene()->SetRenderer(renderer);
   overlay->GetScene()->AddItem(bars);
   renderer->AddActor(overlay);
 
-  renderer->SetPass(steps);  // translucent actors blend in the order above, in one pass
+  steps->SetOpaquePass(resting);  // translucent actors, too: they blend in the order above
+  steps->SetTranslucentPass(nullptr);
+  renderer->SetPass(steps);
 }
 
 void InsertionScene::Content::applyVisibility()
@@ -364,6 +380,10 @@ void InsertionScene::setApproach(const anatomy::Approach& approach)
 }
 
 BoneLayer& InsertionScene::bone() { return content_->bone; }
+
+void InsertionScene::setRestingPartsKept(bool areKept) { content_->resting->setKept(areKept); }
+
+double InsertionScene::drawnFraction() const { return content_->resting->drawnFraction(); }
 
 void InsertionScene::show(const haptics::Snapshot& now)
 {

@@ -103,10 +103,13 @@ void ScaleBars::paintPlate(vtkContext2D& painter, float left, float bottom, floa
 
 float ScaleBars::widthOf(vtkContext2D& painter, const std::string& label)
 {
+  if (scale() != widthScale_) widths_.clear();
+  widthScale_ = scale();
+  if (const auto known = widths_.find(label); known != widths_.end()) return known->second;
   float bounds[4];  // left, bottom, width, height
   setText(painter, VTK_TEXT_LEFT);
   painter.ComputeStringBounds(label, bounds);
-  return bounds[2];
+  return widths_[label] = bounds[2];
 }
 
 void ScaleBars::paintLength(vtkContext2D& painter, const Corner& legend)

@@ -6,6 +6,7 @@
 #include <vtkContextItem.h>
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "SceneColors.h"
@@ -63,6 +64,9 @@ private:
   const SceneColors* palette_ = &sceneColorsOf(figures::ColorScheme::dark);
   SceneStrings strings_;
   double textScale_ = 1.0;
+  /// Widths of labels at a scale [px]: shaping text costs more than drawing it.
+  std::unordered_map<std::string, float> widths_;
+  double widthScale_ = 0.0;
 };
 
 }  // namespace perilymph::visualization

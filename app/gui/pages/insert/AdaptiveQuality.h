@@ -22,8 +22,8 @@ public:
   /// Minimum number of frames and time before the decision.
   static constexpr std::size_t minFrames = 15;
   static constexpr double firstSecond_s = 1.0;
-  /// Maximum median frame time: 15 frames per second.
-  static constexpr double slowFrame_ms = 66.0;
+  /// Maximum median frame time: 30 frames per second.
+  static constexpr double slowFrame_ms = 33.3;
 
   /// @param renderer  Name of the OpenGL renderer: "llvmpipe (LLVM 15.0.6, 256 bits)".
   explicit AdaptiveQuality(const std::string& renderer = {});

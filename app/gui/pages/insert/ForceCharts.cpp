@@ -161,7 +161,7 @@ void ForceCharts::showRecorded(const analysis::ForceProfile& profile)
     overTravel_.append(meters(point.travel), newtons(point.force));
 }
 
-bool ForceCharts::renderIfDirty()
+bool ForceCharts::renderNext()
 {
   const auto render = [](QVTKOpenGLNativeWidget& view, auto& chart, bool& isDirty) {
     if (!view.isVisible() || !view.isValid()) return false;
@@ -170,9 +170,14 @@ bool ForceCharts::renderIfDirty()
     view.renderWindow()->Render();
     return true;
   };
-  const bool travelChanged = render(*travelView_, overTravel_, travelIsDirty_);
-  const bool timeChanged = render(*timeView_, components_, timeIsDirty_);
-  return travelChanged || timeChanged;
+  const auto renderTime = [&] { return render(*timeView_, components_, timeIsDirty_); };
+  const bool isTimeRendered = isTimeNext_ && renderTime();
+  if (!isTimeRendered && render(*travelView_, overTravel_, travelIsDirty_)) {
+    isTimeNext_ = true;
+    return true;
+  }
+  isTimeNext_ = false;
+  return isTimeRendered || renderTime();
 }
 
 }  // namespace perilymph::gui

@@ -56,8 +56,8 @@ public:
   /// Replaces the curve over travel by that of a recording, which has every tick: between two
   /// pictures a peak may be missed.
   void showRecorded(const analysis::ForceProfile& profile);
-  /// Renders the visible charts that changed. True if any did.
-  bool renderIfDirty();
+  /// Renders one visible chart that changed: of two, the one that was not rendered last. True if one did.
+  bool renderNext();
 
   Pane* overTravel() const { return travelPane_; }
   Pane* components() const { return timePane_; }
@@ -80,6 +80,7 @@ private:
 
   bool isExperimentVisible_ = true, isComparable_ = true;
   bool travelIsDirty_ = true, timeIsDirty_ = true;
+  bool isTimeNext_ = false;
   double peak_N_ = 0.0;  ///< That the curve over travel has.
   anatomy::Entry entry_;
   std::optional<ReferenceInsertion> ghost_;

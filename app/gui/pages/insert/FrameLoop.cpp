@@ -15,6 +15,12 @@ constexpr double longestStep_s = 0.1;  // after a stall, keys are not caught up
 
 }  // namespace
 
+bool ChartPace::isDue(qint64 now_ms, qint64 turn_ms, int interval_ms) const
+{
+  const bool isLate = turn_ms > std::max(lateTurn_ms, 3 * interval_ms / 2);
+  return isOverdue(now_ms) || (now_ms - drawn_ms_ >= interval_ms_ && !isLate);
+}
+
 FrameLoop::FrameLoop(Turn turn, QObject* parent) : QObject(parent), turn_(std::move(turn))
 {
   timer_.setTimerType(Qt::PreciseTimer);
@@ -25,19 +31,29 @@ void FrameLoop::start()
 {
   sinceTurn_.start();
   sinceSlow_.start();
+  sinceStart_.start();
   timer_.start();
 }
 
 void FrameLoop::takeTurn()
 {
   meter_.begin(FrameMeter::Clock::now());
-  turn_.step(std::min(double(sinceTurn_.restart()) / 1e3, longestStep_s));
+  const qint64 elapsed_ms = sinceTurn_.restart();
+  turn_.step(std::min(double(elapsed_ms) / 1e3, longestStep_s));
   const bool isSeen = turn_.isSeen();
   bool isDrawn = isSeen && turn_.drawPicture();
-  if (sinceSlow_.elapsed() >= slowInterval_ms) {
+  // numbers and each chart in frames of their own, so that none of these is much longer than others
+  const bool areNumbersDue = sinceSlow_.elapsed() >= slowInterval_ms;
+  if (areNumbersDue) {
     sinceSlow_.restart();
     turn_.updateReadouts();
-    if (isSeen && turn_.drawCharts()) isDrawn = true;
+  }
+  const qint64 now_ms = sinceStart_.elapsed();
+  const bool isChartDue = areNumbersDue ? charts_.isOverdue(now_ms)
+                                        : charts_.isDue(now_ms, elapsed_ms, timer_.interval());
+  if (isSeen && isChartDue && turn_.drawChart()) {
+    charts_.drawn(now_ms);
+    isDrawn = true;
   }
   if (!isDrawn) meter_.cancel();
   slowDownAtRest(isDrawn);

@@ -12,8 +12,30 @@
 
 namespace perilymph::gui {
 
+/// When a chart is drawn: every 33 ms one of the two, so that each is drawn at most fifteen times a second, and
+/// none while frames are late.
+class ChartPace {
+public:
+  /// A turn that begins later than this after the one before is late: 30 frames a second.
+  static constexpr int lateTurn_ms = 33;
+  /// On a machine where every frame is late, a chart is drawn this often.
+  static constexpr int longest_ms = 250;
+
+  /// @param now_ms       On any clock that only grows.
+  /// @param turn_ms      Since the turn before this one.
+  /// @param interval_ms  Between turns as the timer is set.
+  bool isDue(qint64 now_ms, qint64 turn_ms, int interval_ms) const;
+  /// No chart was drawn for so long that one is drawn even in a late frame.
+  bool isOverdue(qint64 now_ms) const { return now_ms - drawn_ms_ >= longest_ms; }
+  void drawn(qint64 now_ms) { drawn_ms_ = now_ms; }
+
+private:
+  static constexpr int interval_ms_ = 33;
+  qint64 drawn_ms_ = -longest_ms;
+};
+
 /// Each timer event advances the insertion and draws what changed in the 3D view; fifteen times a
-/// second also numbers and charts.
+/// second also numbers and charts, each in other frames.
 class FrameLoop : public QObject {
   Q_OBJECT
 public:
@@ -21,8 +43,9 @@ public:
   struct Turn {
     std::function<void(double elapsed_s)> step;
     std::function<void()> updateReadouts;
-    std::function<bool()> drawPicture, drawCharts;
-    std::function<bool()> isSeen;  ///< Whether the page is visible.
+    std::function<bool()> drawPicture;
+    std::function<bool()> drawChart;  ///< The one of the charts that was not drawn for longest.
+    std::function<bool()> isSeen;     ///< Whether the page is visible.
   };
 
   FrameLoop(Turn turn, QObject* parent);
@@ -48,7 +71,8 @@ private:
   QTimer timer_;
   int interval_ms_ = 0;
   int turnsAtRest_ = 0;  ///< Since something was drawn.
-  QElapsedTimer sinceTurn_, sinceSlow_;
+  QElapsedTimer sinceTurn_, sinceSlow_, sinceStart_;
+  ChartPace charts_;
   FrameMeter meter_;
   bool isFirstFrame_ = true;
 };

@@ -61,7 +61,7 @@ InsertPage::InsertPage(InsertionController& insertion, QWidget* parent)
       frames_(new FrameLoop(
           {[this](double elapsed_s) { step(elapsed_s); }, [this] { updateReadouts(); },
            [this] { return views_->operation()->renderIfDirty(); },
-           [this] { return views_->charts()->renderIfDirty(); }, [this] { return isShown(); }},
+           [this] { return views_->charts()->renderNext(); }, [this] { return isShown(); }},
           this)),
       presenter_(insertion, {side_, views_, bottom_, building_})
 {

@@ -81,6 +81,12 @@ public:
   void attachTo(vtkRenderWindow& window);
   vtkRenderer& renderer();
 
+  /// Whether the picture of the parts that rest is kept while the camera rests, so that a frame draws
+  /// only what moves; true by default. Frames are the same either way, bit by bit.
+  void setRestingPartsKept(bool areKept);
+  /// Fraction of the picture that the last frame drew anew; 1 for all of it.
+  double drawnFraction() const;
+
   /// Updates the array and the colors of the wall; pipelines and meshes are reused. A snapshot with
   /// fewer than 2 nodes or with a non-finite one hides the array.
   void show(const haptics::Snapshot& now);

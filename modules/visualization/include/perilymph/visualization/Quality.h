@@ -26,7 +26,7 @@ constexpr QualityTraits traitsOf(Quality quality)
 {
   switch (quality) {
     case Quality::fast:
-      return {4000, false, false, 40};
+      return {4000, false, false, 33};
     case Quality::software:
       break;
     case Quality::gpu:

@@ -55,6 +55,12 @@ class InstallDependencies(PretendedSystem):
         self.assertEqual(self.call(SCRIPT, "test").returncode, 0)
         self.assertEqual(self.calls("apt-get")[-1].split()[-1], "furo")
 
+    def test_the_qt_is_the_one_that_the_release_builds_vtk_with(self):
+        self.pretend_packages("qtbase5-dev", "qt6-base-dev", "libqt5multimedia5-plugins", "qt6-qpa-plugins")
+        self.assertEqual(self.call(SCRIPT, "--missing", "run", "build").stdout, "libqt5multimedia5-plugins\nqtbase5-dev\n")
+        self.pretend("apt-cache", 'echo "libvtk9-qt-dev"; echo "  Depends: qt6-base-dev"')
+        self.assertEqual(self.call(SCRIPT, "--missing", "run", "build").stdout, "qt6-base-dev\nqt6-qpa-plugins\n")
+
     def test_missing_packages_are_named_and_not_installed(self):
         self.pretend_packages("libeigen3-dev", "libvtk9-dev")
         result = self.call(SCRIPT, "--missing", "build")

@@ -13,7 +13,7 @@
 namespace perilymph::gui {
 
 /// When a chart is drawn: every 33 ms one of the two, so that each is drawn at most fifteen times a second, and
-/// none while frames are late.
+/// none while frames are late, but for one each `longest_ms`.
 class ChartPace {
 public:
   /// A turn that begins later than this after the one before is late: 30 frames a second.

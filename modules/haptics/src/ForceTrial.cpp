@@ -18,6 +18,9 @@ double greatestFor(double ofDevice, double ofTrial) noexcept
 constexpr double clearlyMoved = 0.5e-3;  // [m]
 constexpr double clearlyTurned = 0.02;   // [rad]
 
+/// After an interrupted push the handle swings back, before the axis is pushed again (a choice) [s].
+constexpr double restTime = 0.3;
+
 /// Limits for a push of this strength [N] or [N.m].
 SafetyLimits limitsOfTrial(const device::DeviceTraits& traits, double greatest) noexcept
 {
@@ -93,13 +96,16 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   const HandState& hand = validator_.take(sample);
   isHeld_ = hand.isHeld && !hand.isStale;
   if (isOver()) isHeld_ = false;
+  if (!isHeld_ && time_ > 0.0) rest_ = restTime;
+  const bool isPushed = isHeld_ && rest_ <= 0.0;
+  if (isHeld_) rest_ = std::max(0.0, rest_ - timeStep_);
 
   // 0 at both ends of the second, 1 in its middle, smooth
   const double fraction = time_ / timeForAxis;
   const double hump = 16.0 * fraction * fraction * (1.0 - fraction) * (1.0 - fraction);
   Eigen::Vector3d force_D = Eigen::Vector3d::Zero(), torque_D = Eigen::Vector3d::Zero();
-  if (isHeld_ && axis_ < 3) force_D[axis_] = greatest_ * hump;
-  if (isHeld_ && axis_ >= 3) torque_D[axis_ - 3] = greatestTorque_ * hump;
+  if (isPushed && axis_ < 3) force_D[axis_] = greatest_ * hump;
+  if (isPushed && axis_ >= 3) torque_D[axis_ - 3] = greatestTorque_ * hump;
   const double wanted = force_D.sum() + torque_D.sum();
 
   HandCondition condition;
@@ -114,9 +120,9 @@ device::Wrench ForceTrial::step(const device::DeviceSample& sample) noexcept
   // The passivity of a force is about motion along it, not about rotation.
   condition.moved_D.setZero();
   torque_D = torqueSafety_.show(torque_D, condition, limits);
-  if (isHeld_) note(hand, wanted, axis_ < 3 ? force_D[axis_] : torque_D[axis_ - 3], limits);
+  if (isPushed) note(hand, wanted, axis_ < 3 ? force_D[axis_] : torque_D[axis_ - 3], limits);
 
-  time_ = isHeld_ ? time_ + timeStep_ : 0.0;
+  time_ = isPushed ? time_ + timeStep_ : 0.0;
   if (!isOver()) spent_ += timeStep_;
   if (time_ >= timeForAxis) {
     time_ = 0.0;

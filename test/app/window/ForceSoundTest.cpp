@@ -6,14 +6,15 @@
 #include "gui/pages/insert/ForceSound.h"
 
 #include <gtest/gtest.h>
+
 #include <QFile>
 #include <QFileInfo>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -124,15 +125,15 @@ TEST(ForceSound, IsHeardFromTheSpeakerAtThePitchOfTheForce)
   ASSERT_TRUE(QTest::qWaitFor([&reason] { return reason.has_value(); }, 20000));
   ASSERT_EQ(reason->toStdString(), "");
   std::optional<double> pitch_Hz;
-  ASSERT_TRUE(QTest::qWaitFor(
+  // The longer it is heard, the less do the gaps of a busy machine count.
+  EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         sound.show(millinewtons(100));
         pitch_Hz = pitchOf(server.heard());
-        return pitch_Hz.has_value();
+        return pitch_Hz && std::abs(*pitch_Hz - 440.0) < 2.0;
       },
       20000))
-      << server.heard().size() << " samples were heard, none loud enough";
-  EXPECT_NEAR(*pitch_Hz, 440.0, 2.0);
+      << server.heard().size() << " samples were heard, " << pitch_Hz.value_or(0.0) << " Hz";
 
   // A sound turned off ends, though the force is still shown.
   sound.setOn(false);

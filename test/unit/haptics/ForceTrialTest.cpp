@@ -180,21 +180,23 @@ TEST(ForceTrial, SeesTheHandleMove)
   EXPECT_NEAR(trial.results()[0].moved, 2e-3, 1e-5);
 }
 
-/// A loosely held handle of mass and damping, which gets the force with a factor: 1, or -1 by a wrong sign.
-ForceTrial runOn(double factor)
+/// A handle in a loose hand that pulls it back, which gets the force with a factor: 1, or -1 by a wrong
+/// sign. After `letGo` steps the button is let go for 5 ms.
+ForceTrial runOn(double factor, int letGo = -1)
 {
-  constexpr double mass = 0.1, damping = 2.0;  // [kg], [N.s/m]
+  constexpr double mass = 0.1, damping = 4.0, stiffness = 40.0;  // [kg], [N.s/m], [N/m]
   ForceTrial trial(threeAxes(), timeStep);
   RestingDevice hand;
   Eigen::Vector3d at_D = Eigen::Vector3d::Zero(), velocity_D = Eigen::Vector3d::Zero();
-  while (!trial.isOver()) {
-    device::DeviceSample sample = hand.next(true);
+  for (int i = 0; !trial.isOver(); ++i) {
+    device::DeviceSample sample = hand.next(letGo < 0 || i < letGo || i >= letGo + 5);
     for (int axis = 0; axis < 3; ++axis)
       sample.position_D[static_cast<std::size_t>(axis)] += at_D[axis];
     const device::Wrench wrench = trial.step(sample);
     for (int axis = 0; axis < 3; ++axis) {
       const double force = factor * wrench.force_D[static_cast<std::size_t>(axis)];
-      velocity_D[axis] += timeStep * (force - damping * velocity_D[axis]) / mass;
+      velocity_D[axis] +=
+          timeStep * (force - damping * velocity_D[axis] - stiffness * at_D[axis]) / mass;
       at_D[axis] += timeStep * velocity_D[axis];
     }
   }
@@ -209,6 +211,17 @@ TEST(ForceTrial, SeesAForceOfTheWrongSign)
     EXPECT_FALSE(right.results()[i].isAgainst) << i;
     EXPECT_LT(wrong.results()[i].leaned, -1e-3) << i;
     EXPECT_TRUE(wrong.results()[i].isAgainst) << i;
+  }
+}
+
+TEST(ForceTrial, DoesNotTakeAHandleThatSwingsBackForAForceOfTheWrongSign)
+{
+  for (int letGo = 50; letGo < 1000; letGo += 50) {
+    const ForceTrial trial = runOn(1.0, letGo);
+    EXPECT_TRUE(trial.isDone());
+    EXPECT_FALSE(trial.results()[0].isAgainst) << letGo;
+    EXPECT_GT(trial.results()[0].leaned, 1e-3) << letGo;
+    EXPECT_TRUE(runOn(-1.0, letGo).results()[0].isAgainst) << letGo;
   }
 }
 

@@ -75,6 +75,7 @@ private:
   double begin_ = 0.0;   // position along the axis at the beginning of the push [m]
   Eigen::Quaterniond beginRotation_D_ = Eigen::Quaterniond::Identity();
   double time_ = 0.0;   // within the push [s]
+  double rest_ = 0.0;   // until the handle has come to rest after an interruption [s]
   double spent_ = 0.0;  // on the axis, with every interruption [s]
   bool isHeld_ = false;
 };

@@ -168,4 +168,47 @@ Result<Companions> companionsOf(const fs::path& database, const FileHeader& head
   return found;
 }
 
+std::optional<std::uint64_t> damageOf(const fs::path& log)
+{
+  constexpr std::size_t frameHeaderBytes = 24;
+  std::ifstream stream(log, std::ios::binary);
+  std::string header(logHeaderBytes, '\0');
+  if (!stream.read(header.data(), logHeaderBytes)) return std::nullopt;
+  const bool isBigEndian = (bigEndian(header, 0, 4) & 1) != 0;
+  const std::size_t pageSize = bigEndian(header, 8, 4);
+  constexpr std::size_t maxPageSize = 65536;
+  if (pageSize == 0 || pageSize > maxPageSize) return std::nullopt;
+  std::uint32_t sum = 0, other = 0;
+  const auto add = [&](std::string_view bytes) {
+    const auto word = [&](std::size_t at) {
+      std::uint32_t value = 0;
+      for (std::size_t i = 0; i < 4; ++i)
+        value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])}
+                 << 8 * (isBigEndian ? 3 - i : i);
+      return value;
+    };
+    for (std::size_t i = 0; i + 8 <= bytes.size(); i += 8) {
+      sum += word(i) + other;
+      other += word(i + 4) + sum;
+    }
+  };
+  add(std::string_view(header).substr(0, 24));
+  const std::string salts = header.substr(16, 8);
+  std::optional<std::uint64_t> damage;
+  std::string frame(frameHeaderBytes + pageSize, '\0');
+  for (std::uint64_t at = logHeaderBytes;
+       stream.read(frame.data(), static_cast<std::streamsize>(frame.size())); at += frame.size()) {
+    const bool isOfLog = frame.compare(8, 8, salts) == 0;
+    if (damage) {
+      const bool endsTransaction = bigEndian(frame, 4, 4) != 0;
+      if (isOfLog && endsTransaction) return damage;
+      continue;
+    }
+    add(std::string_view(frame).substr(0, 8));
+    add(std::string_view(frame).substr(frameHeaderBytes));
+    if (!isOfLog || bigEndian(frame, 16, 4) != sum || bigEndian(frame, 20, 4) != other) damage = at;
+  }
+  return std::nullopt;
+}
+
 }  // namespace perilymph::database

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "perilymph/foundation/Result.h"
@@ -40,5 +41,10 @@ struct Companions {
 /// is left beside a file of this program only where its log begins or ends: it holds the first page alone,
 /// which differs in no row.
 Result<Companions> companionsOf(const std::filesystem::path& database, const FileHeader& header);
+
+/// Where a log is damaged: the first byte of the frame that fails its checksum though a whole transaction of the
+/// same log comes after it (SQLite file format, section 4). None for a log that ends within a transaction, as
+/// a crash leaves it. SQLite reads what is before it, and then deletes the log.
+std::optional<std::uint64_t> damageOf(const std::filesystem::path& log);
 
 }  // namespace perilymph::database

@@ -243,18 +243,39 @@ Result<Database> Database::open(const fs::path& file, const FileKind& kind, std:
     return content->check(kind);
   };
   // Without recovery nothing is written, not even a lock.
-  const bool isLogged = header.usesLog && companions.isLogThere && !companions.hasForeignLog;
+  const fs::path log = place.string() + "-wal";
+  const bool mayReadLog = mayAccess(log, R_OK);
+  const bool isLogged =
+      header.usesLog && companions.isLogThere && !companions.hasForeignLog && mayReadLog;
   const LogOwner owner =
       isLogged && isWritable ? ownerOfLog(place, kind, content->watch->stop) : LogOwner::others;
-  const bool recovers = owner != LogOwner::others;
+  bool recovers = owner != LogOwner::others;
   content->isShared = owner == LogOwner::inUse;
-  if (companions.hasForeignLog || (mayHaveLog && isWritable && !recovers))
+  if (mayHaveLog && isWritable && !mayReadLog)
+    content->note = log.string() +
+                    " may not be read, so the ticks in it are missing. Check its "
+                    "permissions.";
+  else if (companions.hasForeignLog || (mayHaveLog && isWritable && !recovers))
     content->note = place.string() + "-wal is not the log of " + name +
                     ", or is damaged, and is not read: what " + name +
                     " holds itself is shown. Move it to another folder.";
   else if (companions.hasForeignJournal)
     content->note = place.string() + "-journal is not that of " + name +
                     " and is not read. Move it to another folder.";
+  // SQLite would read the log up to the damage and then delete it.
+  if (owner == LogOwner::file && companions.hasLog) {
+    if (const auto damage = damageOf(log)) {
+      const fs::path kept = log.string() + ".damaged";
+      std::error_code problem;
+      recovers = fs::copy_file(log, kept, fs::copy_options::skip_existing, problem) ||
+                 (!problem && fs::exists(kept));
+      content->note = log.string() + " is damaged at byte " + std::to_string(*damage) +
+                      (recovers ? ": what was recorded after it cannot be read. It is kept as " +
+                                      kept.filename().string() + "."
+                                : " and is not read, because no copy of it can be kept. Make "
+                                  "space on the disk, or copy both files to another one.");
+    }
+  }
   auto done = read(recovers ? Access::recovery : Access::immutable);
   // If the disk is too full for recovery, checkpointed content can still be read.
   if (!done && recovers && header.isWhole && !content->watch->wasStopped) {

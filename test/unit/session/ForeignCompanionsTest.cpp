@@ -241,6 +241,27 @@ TEST(TheOwnLog, OfACrashedRecordingIsRecovered)
   }
 }
 
+TEST(TheOwnLog, ThatIsDamagedIsKeptAndNamed)
+{
+  constexpr std::uint64_t ticks = 2240;
+  for (const double part : {0.1, 0.5, 0.9}) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder / "mine.insertion", log = file.string() + "-wal";
+    crash(file, "mine", ticks);
+    std::string damaged = contentOf(log);
+    damaged[static_cast<std::size_t>(part * static_cast<double>(damaged.size()))] ^= 1;
+    std::ofstream(log, std::ios::binary) << damaged;
+    {
+      const auto opened = RecordedInsertion::open(file);
+      ASSERT_TRUE(opened) << opened.error().message;
+      EXPECT_LT(opened->ticks(), ticks);
+      EXPECT_THAT(opened->note(), AllOf(HasSubstr(log.string() + " is damaged at byte "),
+                                        HasSubstr("mine.insertion-wal.damaged")));
+    }
+    EXPECT_EQ(contentOf(log.string() + ".damaged"), damaged);
+  }
+}
+
 TEST(TheOwnLog, OfARecordingThatWentOnAfterItWasClosedIsRecovered)
 {
   const test::TemporaryFolder folder;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <new>
@@ -44,7 +45,8 @@ PluginProcess::PluginProcess(std::string name, pid_t id, OwnedFile requests, Own
       life_(static_cast<int>(::syscall(SYS_pidfd_open, id, 0))),
       requests_(std::move(requests)),
       replies_(std::move(replies)),
-      channel_(channel)
+      channel_(channel),
+      asked_(realtime::monotonicNanoseconds())
 {
 }
 
@@ -111,7 +113,6 @@ Result<void> PluginProcess::load(Duration patience, const std::stop_token& stop)
 Result<Reply> PluginProcess::await(Duration patience, Phrase tooSlow, const std::stop_token& stop)
 {
   std::array<pollfd, 2> waits{{{replies_.get(), POLLIN, 0}, {life_.get(), POLLIN, 0}}};
-  const int patience_ms = static_cast<int>(1e3 * patience.si());
   const std::int64_t end = realtime::monotonicNanoseconds() + nanoseconds(patience.si());
   constexpr std::int64_t lookAtStop_ms = 50;
   int found = 0;
@@ -128,12 +129,16 @@ Result<Reply> PluginProcess::await(Duration patience, Phrase tooSlow, const std:
     ::poll(&waits[1], 1, patienceForEnd_ms);
   }
   if (!hasEnded()) kill();
-  if (isLate) return Error{Sentence(tooSlow, {std::to_string(patience_ms / 1000)})};
+  if (isLate) {
+    const auto waited = static_cast<double>(realtime::monotonicNanoseconds() - asked_);
+    return Error{Sentence(tooSlow, {std::to_string(std::lround(1e-9 * waited))})};
+  }
   return Error{obituary()};
 }
 
 Result<void> PluginProcess::open(Duration patience, const std::stop_token& stop)
 {
+  asked_ = realtime::monotonicNanoseconds();
   if (!say(requests_, plugin::open)) return Error{obituary()};
   const auto reply = await(patience, hangsInOpen, stop);
   if (!reply) return reply.error();

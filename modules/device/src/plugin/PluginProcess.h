@@ -58,7 +58,7 @@ public:
 private:
   PluginProcess(std::string name, pid_t id, OwnedFile requests, OwnedFile replies,
                 Channel* channel) noexcept;
-  /// @param tooSlow  The sentence for a host that does not answer, with the seconds in it.
+  /// @param tooSlow  The sentence for a host that does not answer, with the seconds since it was asked.
   Result<Reply> await(Duration patience, Phrase tooSlow, const std::stop_token& stop);
 
   std::string name_;
@@ -67,6 +67,7 @@ private:
   OwnedFile requests_, replies_;
   Channel* channel_;
   PerilymphDeviceTraitsV1 traits_{};
+  std::int64_t asked_;  // when it was last asked for something: to load, to open [ns]
   std::atomic<bool> isKilled_{false};
 };
 

@@ -19,7 +19,7 @@ public:
   /// A turn that begins later than this after the one before is late: 30 frames a second.
   static constexpr int lateTurn_ms = 33;
   /// On a machine where every frame is late, a chart is drawn this often.
-  static constexpr int longest_ms = 250;
+  static constexpr int longest_ms = 120;
 
   /// @param now_ms       On any clock that only grows.
   /// @param turn_ms      Since the turn before this one.

@@ -295,10 +295,13 @@ void printButton(const TrialOutcome& trial)
     print("{:18} {}\n", "button", trial.wasPressed ? "pressed" : "not pressed");
 }
 
-void printVerdict(const TrialOutcome& trial)
+/// Prints the verdict, and returns it as the command's status: an error if the test was not passed.
+Result<void> printVerdict(const TrialOutcome& trial, const std::string& name)
 {
   const std::string shortcoming = trial.shortcoming();
   print("{:18} {}\n", "result", shortcoming.empty() ? "passed" : "not passed: " + shortcoming);
+  if (shortcoming.empty()) return {};
+  return Error{"%1 did not pass the test: %2.", name, shortcoming};
 }
 
 void printPluginTrial(const TrialOutcome& trial)
@@ -352,14 +355,6 @@ Result<FoundDevice> deviceCalled(const device::DeviceSurvey& survey, const std::
   return Error{"There is no " + node + ". 'perilymph-cli devices' shows those there are."};
 }
 
-/// The outcome of a test as the command's status: an error if it was not passed.
-Result<void> verdictOn(const TrialOutcome& trial, const std::string& name)
-{
-  const std::string shortcoming = trial.shortcoming();
-  if (shortcoming.empty()) return {};
-  return Error{"%1 did not pass the test: %2.", name, shortcoming};
-}
-
 /// Writes a report, if it was requested, whatever the outcome.
 Result<void> finish(const Result<void>& outcome, Json json, const std::string& file)
 {
@@ -376,9 +371,9 @@ Result<void> tryOut(const std::filesystem::path& plugin, const std::string& file
   const auto trial = tryPlugin(plugin);
   if (!trial) return finish(trial.error(), json, file);
   printTrial(*trial);
-  printVerdict(*trial);
+  const auto verdict = printVerdict(*trial, trial->traits.name);
   json["test"] = described(*trial);
-  return finish(verdictOn(*trial, trial->traits.name), json, file);
+  return finish(verdict, json, file);
 }
 
 Result<void> tryOut(const FoundDevice& found, const DevicesOptions& options, Json& json)
@@ -389,12 +384,12 @@ Result<void> tryOut(const FoundDevice& found, const DevicesOptions& options, Jso
   json["test"] = described(*trial);
   if (found.known) json["test"]["profile"] = found.known->file;
   printTrial(*trial);
-  printVerdict(*trial);
+  const auto verdict = printVerdict(*trial, found.name());
   if (trial->health && trial->health->reading.fresh == 0)
     return Error{found.name() +
                  " sent no report during the test, so nothing was tested. Move it; check its cable "
                  "and, in its profile, 'reporting' and [input]."};
-  return verdictOn(*trial, found.name());
+  return verdict;
 }
 
 void printAll(const device::DeviceSurvey& survey, const std::vector<device::FoundPlugin>& plugins)

@@ -32,12 +32,6 @@ namespace {
 constexpr int max_px = 920;  // longer lines are hard to read
 constexpr double lineHeight_percent = 125.0;
 
-/// A question of a numbered list, which is no heading.
-QString numbered(const GuideHit& part)
-{
-  return "^\\d+\\. " + QRegularExpression::escape(part.heading);
-}
-
 }  // namespace
 
 /// A browser whose pictures are at most as wide as the page, with links in the window's color and
@@ -87,14 +81,15 @@ public:
   void showPart(const GuideHit& part)
   {
     setExtraSelections({});
+    // of a numbered list, which is no heading
+    const QRegularExpression question("^\\d+\\. " + QRegularExpression::escape(part.heading));
     int place = 0;
     for (QTextBlock block = document()->begin(); block.isValid() && !part.heading.isEmpty();
          block = block.next()) {
       const QString text = block.text().simplified();
       const bool isHeading =
           block.blockFormat().headingLevel() > 0 || QTextCursor(block).currentTable() != nullptr;
-      if (isHeading ? text != part.heading : !text.contains(QRegularExpression(numbered(part))))
-        continue;
+      if (isHeading ? text != part.heading : !text.contains(question)) continue;
       if (++place < part.place) continue;
       setTextCursor(QTextCursor(block));
       QTextEdit::ExtraSelection mark;

@@ -67,7 +67,8 @@ public:
     counts_.clear();
     const bool isGlossary = page.stem() == "glossary";
     static const QRegularExpression rule(QStringLiteral("^[|:\\s-]*$")),
-        heading(QStringLiteral("^#+ ")), question(QStringLiteral("^\\*\\*\\d+\\. ([^*]+)\\*\\*"));
+        heading(QStringLiteral("^#+ ")), bar(QStringLiteral("(?<!\\\\)\\|")),
+        question(QStringLiteral("^\\*\\*\\d+\\. ([^*]+)\\*\\*"));
     while (!file.atEnd()) {
       QString line = QString::fromUtf8(file.readLine());
       if (line.contains(rule) || line.startsWith(QLatin1String("<!--"))) continue;
@@ -81,7 +82,7 @@ public:
         begin(asked.captured(1));
         add(shown(line.mid(asked.capturedLength())));
       } else if (line.startsWith('|')) {
-        QStringList cells = line.split(QRegularExpression(QStringLiteral("(?<!\\\\)\\|")));
+        QStringList cells = line.split(bar);
         std::transform(cells.begin(), cells.end(), cells.begin(), shown);
         cells.removeAll({});
         if (isGlossary && !cells.isEmpty()) begin(cells.takeFirst());

@@ -152,4 +152,23 @@ Result<void> Database::Content::check(const FileKind& kind)
   return {};
 }
 
+Result<void> Database::Content::checkPages() const
+{
+  watch->instructions = 0;
+  sqlite3_stmt* prepared = nullptr;
+  sqlite3_prepare_v2(database.get(), "PRAGMA integrity_check(1)", -1, &prepared, nullptr);
+  const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> rows(prepared, sqlite3_finalize);
+  if (!rows || sqlite3_step(prepared) != SQLITE_ROW) return error(lastError());
+  const unsigned char* text = sqlite3_column_text(prepared, 0);
+  if (text == nullptr || std::string(reinterpret_cast<const char*>(text)) != "ok")
+    return error(Sentence{"its pages contradict one another"});
+  return {};
+}
+
+std::string Database::Content::lastError() const
+{
+  if (watch->isExhausted) return "reading it does not end";
+  return sqlite3_errmsg(database.get());
+}
+
 }  // namespace perilymph::database

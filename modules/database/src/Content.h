@@ -45,6 +45,10 @@ struct Database::Content {
   Result<void> open(const std::filesystem::path& place, Access access);
   /// Refuses a schema that differs from the kind's.
   Result<void> check(const FileKind& kind);
+  /// Database::checkPages().
+  Result<void> checkPages() const;
+  /// Database::lastError().
+  std::string lastError() const;
   Error error(const Sentence& reason) const;
 };
 

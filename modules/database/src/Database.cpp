@@ -126,14 +126,7 @@ Result<Statement> Database::prepare(const std::string& sql) const
   return statement;
 }
 
-Result<void> Database::checkPages() const
-{
-  auto rows = prepare("PRAGMA integrity_check(1)");
-  if (!rows) return readingError(rows.error().message);
-  if (rows->step() != Statement::Step::row) return readingError(lastError());
-  if (rows->text(0) != "ok") return readingError("its pages contradict one another");
-  return {};
-}
+Result<void> Database::checkPages() const { return content_->checkPages(); }
 
 void Database::abandon()
 {
@@ -143,11 +136,7 @@ void Database::abandon()
   content_->database.reset();
 }
 
-std::string Database::lastError() const
-{
-  if (content_->watch->isExhausted) return "reading it does not end";
-  return sqlite3_errmsg(content_->database.get());
-}
+std::string Database::lastError() const { return content_->lastError(); }
 
 bool Database::isBusy() const noexcept
 {

@@ -91,12 +91,7 @@ bool hasRowsOf(sqlite3* another, sqlite3* file, const std::string& query)
 /// Whether its tables are those of the kind and its pages do not contradict one another.
 bool isSound(Database::Content& content, const FileKind& kind)
 {
-  if (!content.check(kind)) return false;
-  content.watch->instructions = 0;
-  const Rows rows = rowsOf(content.database.get(), "PRAGMA integrity_check(1)");
-  if (!rows || sqlite3_step(rows.get()) != SQLITE_ROW) return false;
-  const unsigned char* text = sqlite3_column_text(rows.get(), 0);
-  return text != nullptr && std::string(reinterpret_cast<const char*>(text)) == "ok";
+  return content.check(kind) && content.checkPages();
 }
 
 /// Whose a log is that lies beside a file which was not closed.

@@ -4866,6 +4866,10 @@
         <source>watchdog</source>
         <translation>Watchdog-Zeit</translation>
     </message>
+    <message>
+        <source>its pages contradict one another</source>
+        <translation>ihre Seiten widersprechen einander</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

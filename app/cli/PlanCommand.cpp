@@ -13,6 +13,7 @@
 #include "perilymph/analysis/ClinicalReports.h"
 #include "perilymph/foundation/CsvField.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/UtcTime.h"
 #include "perilymph/planning/ContactsCsv.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanFolder.h"
@@ -160,12 +161,16 @@ Result<void> plan(const PlanOptions& options, const CommandFiles& files)
   if (!shapes) return shapes.error();
 
   FolderContent content;
-  content.texts = {{"plan.json", *json},
+  content.texts = {{planning::planJsonFile, *json},
                    {"arrays.csv", planning::arraysCsv(*plan)},
                    {"contacts.csv", planning::contactsCsv(*plan)},
                    {"contacts-dictionary.csv", planning::contactsDictionaryCsv()},
                    {"differences.csv", planning::differencesCsv(*plan)},
                    {"shapes.csv", *shapes}};
+  // the window opens a plan by these
+  const auto asked = planning::requestFiles(
+      {options.out, *request, plan->insertions.size() / request->arrays.size(), true, utcNow()});
+  content.texts.insert(content.texts.begin(), asked.begin(), asked.end());
   for (const auto& [name, figure] : planning::planFigures(*plan))
     content.figures.emplace_back(name, figures::draw(figure));
   if (const auto done = writeFolder(files, options.out, content); !done) return done.error();

@@ -6,15 +6,20 @@
 #include "Commands.h"
 #include "FileOptions.h"
 #include "NumberOptions.h"
-#include "perilymph/planning/PlanRequest.h"
+#include "perilymph/planning/PlanFolder.h"
 
 namespace perilymph::cli {
 
 std::vector<std::string> planFiles()
 {
-  std::vector<std::string> names = {"plan.json",       "arrays.csv",
-                                    "contacts.csv",    "contacts-dictionary.csv",
-                                    "differences.csv", "shapes.csv"};
+  std::vector<std::string> names = {planning::planPatientFile,
+                                    planning::planRequestFile,
+                                    planning::planJsonFile,
+                                    "arrays.csv",
+                                    "contacts.csv",
+                                    "contacts-dictionary.csv",
+                                    "differences.csv",
+                                    "shapes.csv"};
   const auto add = [&names](const std::string& figure) {
     for (const std::string& name : figureNames(figure)) names.push_back(name);
   };

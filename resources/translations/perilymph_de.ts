@@ -4870,6 +4870,10 @@
         <source>its pages contradict one another</source>
         <translation>ihre Seiten widersprechen einander</translation>
     </message>
+    <message>
+        <source>%1 has a %2 but no %3, which &apos;perilymph-cli plan&apos; did not write in former versions. Make the plan again, into another folder.</source>
+        <translation>%1 hat eine %2, aber keine %3, die „perilymph-cli plan“ in früheren Versionen nicht geschrieben hat. Erstellen Sie den Plan neu, in einem anderen Ordner.</translation>
+    </message>
 </context>
 <context>
     <name>Display</name>

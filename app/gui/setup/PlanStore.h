@@ -22,9 +22,6 @@ using StoredPlan = planning::PlanFolder;
 /// plan does (planning::fingerprintOf()) and on the build of the program, not on the number of draws.
 std::filesystem::path folderOfPlan(const planning::PlanRequest& request);
 
-/// Writes patient and request into the plan's folder, which is created.
-Result<void> savePlan(const StoredPlan& plan);
-
 /// The readable plans of this user, the newest first.
 std::vector<StoredPlan> storedPlans();
 

@@ -7,7 +7,32 @@
 #include <locale>
 #include <sstream>
 
+#include "perilymph/foundation/TomlQuoted.h"
 #include "perilymph/foundation/Utf8.h"
+
+namespace perilymph {
+
+std::string tomlQuoted(std::string_view text)
+{
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (code < 0x20 || code == 0x7f) {
+      constexpr char digits[] = "0123456789abcdef";
+      result += "\\u00";
+      result += digits[code >> 4];
+      result += digits[code & 15];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+}  // namespace perilymph
 
 namespace perilymph::tomltext {
 namespace {
@@ -38,31 +63,11 @@ std::size_t endOfString(std::string_view text, std::size_t begin, int& line)
   return text.size();
 }
 
-std::string quoted(std::string_view text)
-{
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (code < 0x20 || code == 0x7f) {
-      constexpr char digits[] = "0123456789abcdef";
-      result += "\\u00";
-      result += digits[code >> 4];
-      result += digits[code & 15];
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
-
 std::string writtenKey(std::string_view key)
 {
   bool isBare = !key.empty();
   for (const char c : key) isBare = isBare && isBareKey(c);
-  return isBare ? std::string(key) : quoted(key);
+  return isBare ? std::string(key) : tomlQuoted(key);
 }
 
 template <class Value>
@@ -77,7 +82,7 @@ std::string streamed(const Value& value)
 /// A value on one line; tables as { a = 1, b = 2 }.
 std::string writtenValue(const toml::node& node)
 {
-  if (const auto* text = node.as_string()) return tomltext::quoted(text->get());
+  if (const auto* text = node.as_string()) return tomlQuoted(text->get());
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
   if (const auto* number = node.as_floating_point()) return tomlNumber(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";

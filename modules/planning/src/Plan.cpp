@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "PlanFile.h"
+#include "PlanNames.h"
 #include "PlanSetup.h"
 #include "perilymph/analysis/RunProgress.h"
 #include "perilymph/foundation/InParallel.h"
@@ -79,12 +80,20 @@ bool isSameApproach(const std::optional<anatomy::Approach>& stored,
          std::fabs(inDegrees(stored->turn - approach->turn)) < 1e-6;
 }
 
+/// Whether two names are of one file: the command line keeps in plan.json what was given, in plan.toml where it is.
+bool isSameName(const std::string& one, const std::string& other)
+{
+  return bareName(one) == bareName(other);
+}
+
 /// Whether a plan.json is of a request that is kept beside it.
 bool isOf(const PlanRequest& stored, const PlanRequest& request)
 {
-  return isSamePatient(stored.patient, request.patient) && stored.scenario == request.scenario &&
-         stored.friction == request.friction && stored.seed == request.seed &&
-         isSameApproach(stored.approach, request.approach);
+  return isSamePatient(stored.patient, request.patient) &&
+         isSameName(stored.scenario, request.scenario) &&
+         stored.friction.has_value() == request.friction.has_value() &&
+         isSameName(stored.friction.value_or(""), request.friction.value_or("")) &&
+         stored.seed == request.seed && isSameApproach(stored.approach, request.approach);
 }
 
 }  // namespace
@@ -121,7 +130,7 @@ Result<Plan> viewPlan(const PlanRequest& request, const std::filesystem::path& d
   }
   const auto stored = readPlan(draws);
   if (!stored) return stored.error();
-  if (stored->plan.request.arrays != request.arrays ||
+  if (!std::ranges::equal(stored->plan.request.arrays, request.arrays, isSameName) ||
       (!stored->plan.fingerprint.empty() && stored->plan.fingerprint != fingerprint))
     return Error{"The plan.json beside %1 is of another plan. Make the plan again.", draws};
   if (stored->plan.seal == Seal::changed || !isOf(stored->plan.request, request))

@@ -4,6 +4,9 @@
 // Names in a plan.json that its writer and its reader share.
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
 
 #include "perilymph/foundation/Choice.h"
 
@@ -18,5 +21,15 @@ inline constexpr std::array errorSources{
 /// How sure a source is.
 inline constexpr std::array confidences{Choice<int>{0, "high"}, Choice<int>{1, "medium"},
                                         Choice<int>{2, "low"}};
+
+/// The largest seed: the largest whole number that every reader of TOML and JSON keeps.
+inline constexpr std::int64_t maxSeed = (std::int64_t{1} << 53) - 1;
+
+/// The name of an array or a friction that is named or given as a file, without folder and ending.
+inline std::string bareName(const std::string& nameOrFile)
+{
+  const std::filesystem::path file(nameOrFile);
+  return (file.extension() == ".toml" ? file.stem() : file.filename()).string();
+}
 
 }  // namespace perilymph::planning

@@ -51,10 +51,11 @@ double numberAt(const Json& parent, const char* key, Range range)
   return number;
 }
 
-std::size_t countAt(const Json& parent, const char* key)
+std::size_t countAt(const Json& parent, const char* key,
+                    std::uint64_t highest = std::uint64_t{1} << 32)
 {
   const Json& value = at(parent, key);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > std::size_t{1} << 32)
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > highest)
     throw Unreadable(std::string(key) + " is not a whole number");
   return value.get<std::size_t>();
 }
@@ -235,7 +236,7 @@ StoredPlan storedIn(const Json& value)
   stored.program = textAt(value, "program");
   stored.plan.fingerprint = textAt(value, "plan");
   PlanRequest& request = stored.plan.request;
-  request.seed = countAt(value, "seed");
+  request.seed = countAt(value, "seed", maxSeed);
   request.scenario = textAt(value, "scenario");
   if (value.contains("friction")) request.friction = textAt(value, "friction");
   if (value.contains("approach")) {

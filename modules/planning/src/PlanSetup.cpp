@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "FrequencyAllocation.h"
+#include "PlanNames.h"
 #include "perilymph/analysis/InsertionByHand.h"
 #include "perilymph/analysis/PhysicalRanges.h"
 #include "perilymph/analysis/Reference.h"
@@ -21,13 +22,25 @@ namespace perilymph::planning {
 
 namespace {
 
+/// Every value of a scenario, without the places of the files that it names: their numbers and the fingerprint
+/// of the array are among the values, so that a plan is the same wherever its files are.
+std::string contentOf(const session::Scenario& scenario)
+{
+  std::string text = bareName(scenario.arrayName()) + "\n";
+  for (const auto& [key, value] : scenario.values())
+    if (key != "array" && key != "friction" && key != "calibration")
+      text += key + " = " + value + "\n";
+  return text;
+}
+
 Result<void> addArray(PlanSetup& setup, const PlanRequest& request, const std::string& array,
                       const std::vector<FrequencyAllocation>& allocations)
 {
   const auto scenario = scenarioOf(request, array, session::anyStopTravel);
   if (!scenario) return Error{"%1: %2", array, scenario.error().message};
   const electrode::ArrayDesign& design = scenario->array();
-  Nominal nominal{scenario->parameters(), scenario->text(), setup.uncertainty.stiffnessOf(design)};
+  Nominal nominal{scenario->parameters(), contentOf(*scenario),
+                  setup.uncertainty.stiffnessOf(design)};
   session::InsertionParameters& parameters = nominal.parameters;
   parameters.withdraws = false;
   parameters.cochlea.source = anatomy::AnatomySource::mean;
@@ -225,7 +238,7 @@ std::string fingerprintOf(const PlanRequest& request, const PlanSetup& setup)
   const auto add = [&hash](const std::string& text) {
     hash.add(std::to_string(text.size()) + ":" + text);
   };
-  add("plan 6");
+  add("plan 7");
   if (const auto& resolution = request.resolution) {
     add(std::to_string(resolution->nodes));
     add(session::shortestDecimal(resolution->step.si()));

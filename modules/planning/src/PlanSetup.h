@@ -21,7 +21,7 @@ namespace perilymph::planning {
 /// An array before anything is drawn.
 struct Nominal {
   session::InsertionParameters parameters;
-  std::string text;  ///< Its scenario as run.
+  std::string text;  ///< The values of its scenario as run.
   double stiffnessDeviation = 0.0;
 };
 

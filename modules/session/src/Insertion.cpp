@@ -2,11 +2,10 @@
 #include "perilymph/session/Insertion.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "MakeEngine.h"
+#include "perilymph/foundation/UtcTime.h"
 #include "perilymph/foundation/Version.h"
 #include "perilymph/haptics/CouplingLimit.h"
 #include "perilymph/haptics/InsertionEnd.h"
@@ -17,16 +16,6 @@
 namespace perilymph::session {
 
 namespace {
-
-std::string utcNow()
-{
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
 
 RecordingFacts factsOf(const InsertionParameters& parameters, const std::string& text,
                        const mechanics::InsertionModel& model, const device::DeviceTraits& traits,

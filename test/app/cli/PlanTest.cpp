@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "perilymph/anatomy/Patient.h"
+#include "perilymph/foundation/Resources.h"
 #include "perilymph/test/Cli.h"
 
 namespace perilymph::test {
@@ -48,6 +49,12 @@ TEST_F(Plans, AreWrittenWithTheirTablesAndFiguresAndContinueToTheSameBytes)
   for (const auto& entry : fs::directory_iterator(folder_ / "out"))
     EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write)
         << entry.path();
+
+  EXPECT_THAT(text("plan.toml"), HasSubstr("\narrays = [\"flex24\"]\n"));
+  EXPECT_THAT(text("plan.toml"), HasSubstr("\nshown_draws = 1\nis_complete = true\n"));
+  EXPECT_EQ(
+      anatomy::patientText(*anatomy::loadPatient(folder_ / "out/patient.toml")),
+      anatomy::patientText(*anatomy::loadPatient(resource("resources/patients/measured.toml"))));
 
   const auto again = plan("measured", {"--arrays", "flex24"});
   ASSERT_EQ(again.status, 0) << again.err;

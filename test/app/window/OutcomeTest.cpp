@@ -168,7 +168,7 @@ protected:
     plan.arrays[1].array = "flex24";
     for (std::size_t k = 0; k < 2; ++k) plan.arrays[k].name = plan.request.arrays[k];
     gui::StoredPlan stored{plansFolder() / name, plan.request, 200, true, madeUtc};
-    ASSERT_TRUE(gui::savePlan(stored));
+    ASSERT_TRUE(planning::savePlanFolder(stored));
     const auto json = planning::planJson(plan);
     ASSERT_TRUE(json) << json.error().message;
     std::ofstream(stored.folder / "plan.json") << *json;
@@ -1068,7 +1068,7 @@ TEST_F(AnOutcome, StandsBesideItsPlanOnThePageOutcomes)
   request.draws = 1;
   const fs::path folder = plansFolder() / "P-53-plan";
   fs::remove_all(folder);
-  ASSERT_TRUE(gui::savePlan({folder, request, 1, true, "2025-01-10T09:30:00Z"}));
+  ASSERT_TRUE(planning::savePlanFolder({folder, request, 1, true, "2025-01-10T09:30:00Z"}));
   const auto plan = planning::makePlan(request, folder / planning::planDrawsFile);
   ASSERT_TRUE(plan) << plan.error().message;
   std::ofstream(folder / "plan.json") << *planning::planJson(*plan);

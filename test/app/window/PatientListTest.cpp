@@ -277,7 +277,7 @@ protected:
     stored.shownDraws = 2;
     stored.isComplete = true;
     stored.madeUtc = "2022-02-03T12:05:06Z";
-    ASSERT_TRUE(gui::savePlan(stored));
+    ASSERT_TRUE(planning::savePlanFolder(stored));
     const auto made = planning::makePlan(stored.request, stored.folder / gui::planDrawsFile, {});
     ASSERT_TRUE(made) << made.error().message;
   }

@@ -20,6 +20,7 @@
 #include <QTest>
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "KeptPicture.h"
 #include "OwnFolders.h"
@@ -36,7 +37,12 @@
 #include "gui/setup/PatientLibrary.h"
 #include "gui/widgets/Notice.h"
 #include "gui/widgets/Selector.h"
+#include "perilymph/foundation/AtomicFile.h"
+#include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/Version.h"
 #include "perilymph/planning/PlanReport.h"
+#include "perilymph/test/ChildProcess.h"
+#include "perilymph/test/Places.h"
 #include "perilymph/test/SyntheticPlan.h"
 #include "perilymph/test/TemporaryFolder.h"
 
@@ -202,6 +208,95 @@ protected:
   StateFolder state_;
   TemporaryFolder folder_;
 };
+
+/// Fewer simulations than users are offered, for this process and those that it starts.
+class FewDraws {
+public:
+  FewDraws() { qputenv(fewDraws, "1"); }
+  ~FewDraws() { qunsetenv(fewDraws); }
+  FewDraws(const FewDraws&) = delete;
+  FewDraws& operator=(const FewDraws&) = delete;
+};
+
+TEST_F(APlan, MadeAtTheCommandLineOpensByItsNameWithTheNumbersOfItsFile)
+{
+  const FewDraws few;
+  const fs::path array = folder_ / "arrays/mine.toml", made = folder_ / "made";
+  fs::create_directories(array.parent_path());
+  fs::copy_file(resource("plugins/electrodes/med-el/flex24.toml"), array);
+  ProgramCall call{programFolder() / "perilymph-cli",
+                   {"plan", "--patient", "measured", "--arrays", "contour", "arrays/mine.toml",
+                    "--samples", "3", "--seed", "5000000000", "--out", "made"},
+                   {},
+                   folder_.path()};
+  const ProgramOutcome outcome = run(call);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+
+  using Json = nlohmann::json;
+  const auto arraysOf = [](const std::string& text) {
+    Json arrays = Json::parse(text)["arrays"];
+    for (Json& each : arrays)
+      each.erase("array");  // the place of a file, as it was given or absolute
+    return arrays;
+  };
+  const auto written = readWhole(made / "plan.json");
+  ASSERT_TRUE(written);
+  const Json expected = arraysOf(*written);
+  WindowRig rig;
+  gui::PlanPage& page = pageOf(rig);
+  rig.window().openFile(made / "plan.json");
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  EXPECT_TRUE(page.plan()->isCurrent) << rig.label("planStatus").toStdString();
+  EXPECT_EQ(rig.label("planStatus"), "");
+  EXPECT_EQ(arraysOf(jsonOf(page)), expected);
+  const QAbstractItemModel& rows = *page.list().model();
+  ASSERT_EQ(rows.rowCount(), 2);
+  for (int row = 0; row < 2; ++row) {
+    const auto of = [&](const Json& each) {
+      return each["name"] == rows.index(row, 0).data().toString().toStdString();
+    };
+    const auto found = std::find_if(expected.begin(), expected.end(), of);
+    ASSERT_NE(found, expected.end());
+    const QString median = QString::number((*found)["angle_deg"]["median"].get<double>(), 'f', 0);
+    EXPECT_TRUE(rows.index(row, 1).data().toString().startsWith(median)) << row;
+  }
+  page.list().selectAll();
+  rig.click("openPlanArrayButton");
+  EXPECT_TRUE(WindowRig::waitUntil([&] { return page.view().shownScenes() == 2; }))
+      << rig.label("planStatus").toStdString();
+
+  // moved to where the path that was given leads nowhere
+  const fs::path moved = folder_ / "elsewhere/deeper/plan";
+  fs::create_directories(moved.parent_path());
+  fs::rename(made, moved);
+  page.planFor(page.plan()->request.patient);
+  rig.window().openFile(moved);
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  EXPECT_TRUE(page.plan()->isCurrent) << rig.label("planStatus").toStdString();
+  EXPECT_EQ(arraysOf(jsonOf(page)), expected);
+
+  // without the array's file, as on another machine: as it was made, and said so
+  fs::remove(array);
+  page.planFor(page.plan()->request.patient);
+  rig.window().openFile(moved / "plan.json");
+  ASSERT_TRUE(isDone(page)) << rig.label("planStatus").toStdString();
+  EXPECT_FALSE(page.plan()->isCurrent);
+  EXPECT_EQ(page.plan()->seal, Seal::intact);
+  EXPECT_TRUE(rig.label("planStatus").contains("it is shown as it was made"));
+  ASSERT_EQ(page.plan()->arrays.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_NEAR(page.plan()->arrays[i].angle_deg.median,
+                expected[i]["angle_deg"]["median"].get<double>(), 1e-3);
+}
+
+TEST_F(APlan, OfAFormerCommandLineIsRefusedWithWhatToDo)
+{
+  std::ofstream(folder_ / "plan.json") << "{}";
+  WindowRig rig;
+  rig.window().openFile(folder_ / "plan.json");
+  EXPECT_TRUE(rig.label("planStatus").contains("but no plan.toml"))
+      << rig.label("planStatus").toStdString();
+}
 
 TEST_F(APlan, IsExplainedBeforeOneIsMade)
 {

@@ -113,7 +113,7 @@ void storePlan(const std::string& name, const std::string& madeUtc, std::size_t 
   stored.request = plan.request = request;
   stored.shownDraws = draws;
   stored.madeUtc = madeUtc;
-  ASSERT_TRUE(gui::savePlan(stored));
+  ASSERT_TRUE(planning::savePlanFolder(stored));
   const auto json = planning::planJson(plan);
   ASSERT_TRUE(json) << json.error().message;
   std::ofstream(stored.folder / gui::planJsonFile) << *json;

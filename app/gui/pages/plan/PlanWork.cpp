@@ -51,7 +51,7 @@ void PlanWork::compute(const planning::PlanRequest& request)
 
 Result<void> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_token& stop)
 {
-  if (const auto saved = savePlan(stored); !saved) return saved;
+  if (const auto saved = planning::savePlanFolder(stored); !saved) return saved;
   const planning::PlanRequest& all = stored.request;
   const auto progress = [&](std::size_t done, std::size_t) {
     const std::lock_guard lock(shared.mutex);
@@ -64,7 +64,7 @@ Result<void> PlanWork::make(Shared& shared, StoredPlan stored, const std::stop_t
     if (!plan) return plan.error();
     plan->request = all;
     stored.shownDraws = plan->insertions.size() / all.arrays.size();
-    if (const auto saved = savePlan(stored); !saved) return saved.error();
+    if (const auto saved = planning::savePlanFolder(stored); !saved) return saved.error();
     const auto json = planning::planJson(*plan);
     if (!json) return json.error();
     if (const auto saved = writeWhole(stored.folder / planJsonFile, *json); !saved)

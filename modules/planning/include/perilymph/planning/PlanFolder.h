@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "perilymph/foundation/Result.h"
@@ -25,6 +26,13 @@ struct PlanFolder {
   bool isComplete = false;     ///< Else it was interrupted, and continues.
   std::string madeUtc;         ///< ISO 8601.
 };
+
+/// The files plan.toml and patient.toml of a plan's folder: names and texts. Arrays, friction and resistance
+/// that are given as files have absolute paths, so that the folder can be moved.
+std::vector<std::pair<std::string, std::string>> requestFiles(const PlanFolder& plan);
+
+/// Writes them into the plan's folder, which is created.
+Result<void> savePlanFolder(const PlanFolder& plan);
 
 /// Reads patient and request from a plan's folder.
 Result<PlanFolder> readPlanFolder(const std::filesystem::path& folder);

@@ -116,7 +116,8 @@ Result<void> Database::Content::check(const FileKind& kind)
   if (pragma(database.get(), "PRAGMA page_count") == 0)
     return Error{
         "%1 is empty: the program that began it ended before it wrote anything. Delete it.", file};
-  if (application != kind.applicationId)
+  const bool isFormer = application != 0 && application == kind.formerApplicationId;
+  if (application != kind.applicationId && !isFormer)
     return Error{"%1 is not %2. %3", file, kind.name, kind.choice};
   version = pragma(database.get(), "PRAGMA user_version");
   if (version > kind.newestVersion)

@@ -31,10 +31,16 @@ const session::InsertionTableKind& stopsKind()
       {Sentence{"the stop lengths of a plan of Perilymph"},
        Sentence{"Choose a stops file that 'perilymph-cli outcomes' wrote."},
        Sentence{"Delete it; it is computed again."},
-       0x50655374,  // "PeSt"
+       0x5065534c,  // "PeSL"
        1,
        {"CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
-        "CREATE TABLE insertion(draw INTEGER PRIMARY KEY, content TEXT NOT NULL)"}},
+        "CREATE TABLE insertion(draw INTEGER PRIMARY KEY, content TEXT NOT NULL)"},
+       {},
+       {},
+       1,
+       {},
+       {},
+       0x50655374},  // "PeSt", which studies have
       1,
       {{"insertion", "it", 1}},
       Sentence{"belongs to another plan, or its patient, array, scenario or distributions were "

@@ -85,6 +85,29 @@ TEST(StopLengths, AreThoseOfThePlansSimulationsAndKeptBesideIt)
   EXPECT_FALSE(more->isRenewed);
 }
 
+/// SQLite keeps the application's number from byte 68 on; a file manager tells studies by it ("PeSt").
+TEST(StopLengths, AreInAFileThatIsNoStudyAndReadFromFormerOnes)
+{
+  const TemporaryFolder folder;
+  planning::PlanRequest request = smallRequest();
+  request.draws = 1;
+  const auto first = outcome::stopLengths(request, 0, folder.path());
+  ASSERT_TRUE(first) << first.error().message;
+  const fs::path file = folder.path() / outcome::stopLengthsFile(0);
+  std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+  std::string number(4, '\0');
+  bytes.seekg(68).read(number.data(), 4);
+  EXPECT_EQ(number, "PeSL");
+  bytes.seekp(68).write("PeSt", 4);
+  bytes.close();
+  std::size_t computed = 0;
+  const auto former = outcome::stopLengths(request, 0, folder.path(),
+                                           [&](std::size_t, std::size_t) { ++computed; });
+  ASSERT_TRUE(former) << former.error().message;
+  EXPECT_EQ(computed, 0u);
+  EXPECT_EQ(former->draws.front().curve.depth, first->draws.front().curve.depth);
+}
+
 /// Whatever is in the file, the stop lengths are those of this plan and build.
 TEST(StopLengths, AreComputedAgainIfTheirFileCannotBeContinued)
 {

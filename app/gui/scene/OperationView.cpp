@@ -39,8 +39,10 @@ using visualization::CameraPreset;
 constexpr int footHeight_px = 100;
 constexpr int lowFootHeight_px = 56;     // without the phase line
 constexpr double usualLetter_px = 12.0;  // of a scene's own texts
-constexpr int lowView_px = 380;          // below it, read-outs are smaller or hidden
+// Of the view's height; the rest is the picture's. With more, texts yield (Texts), at last the picture's share.
+constexpr double textShare = 0.6, lowTextShare = 0.7;
 constexpr int number_px = 46;  // of the three read-outs above, and what yields to a narrow view
+constexpr int compactNumber_px = 28;
 constexpr std::array numbers_px{number_px, 34, 28, 24, 20, 17};
 constexpr qint64 restTime_ms = 1000;
 constexpr QSize scales_px(270, 85);  // of the scene’s legend of forces
@@ -135,7 +137,7 @@ int OperationView::footMargin() const
     const int foot = phase_->sizeHint().height() + 3 * spacing;
     return qRound(foot * usualLetter_px / visitorLetter_px_ / textScale());
   }
-  const bool isLow = height() < sized(lowView_px);
+  const bool isLow = texts_ == Texts::low;
   // gaps and the line of phases do not shrink with the text
   const int more = isLow ? 0 : std::max(0, 60 - sized(60));
   return (isLow ? lowFootHeight_px : footHeight_px) + qRound((hintLift_ + more) / textScale());
@@ -153,7 +155,7 @@ void OperationView::fitScene()
   const double below = footMargin() * textScale() *
                        (visitorLetter_px_ > 0 ? visitorLetter_px_ / usualLetter_px : 1.0);
   // a view that is hardly higher than its texts is free as a whole
-  const bool isRoomy = above + below < 0.6 * down;
+  const bool isRoomy = above + below <= lowTextShare * down;
   scene_->setFreeArea({spacing / across, isRoomy ? below / down : 0.0, 1.0 - spacing / across,
                        isRoomy ? 1.0 - above / down : 1.0});
   isDirty_ = true;
@@ -377,16 +379,36 @@ void OperationView::fitReadOuts()
     layout()->activate();
     return;
   }
-  const bool isLow = height() < sized(lowView_px);
   captionShortly();
-  for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setCompact(isLow);
+  for (const Texts texts : {Texts::whole, Texts::compact, Texts::low}) {
+    showTexts(texts);
+    if (heightOf(texts) <= textShare * height()) break;
+  }
+  layout()->activate();
+}
+
+void OperationView::showTexts(Texts texts)
+{
+  texts_ = texts;
+  const bool isWhole = texts == Texts::whole;
+  for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setCompact(texts == Texts::low);
   for (const int size : numbers_px) {
+    if (!isWhole && size > compactNumber_px) continue;
     for (ReadOut* readOut : {travel_, angle_, force_}) readOut->setNumberSize(size);
     if (widthOf({travel_, angle_, force_}) <= width()) break;
   }
-  speed_->setVisible(!isLow);
-  phase_->setVisible(!isLow);
-  layout()->activate();
+  speed_->setVisible(isWhole);
+  phase_->setVisible(texts != Texts::low);
+}
+
+/// Of the read-outs above and the texts below the picture.
+int OperationView::heightOf(Texts texts) const
+{
+  int above = spacing;
+  for (const QWidget* part : std::initializer_list<const QWidget*>{travel_, forceLabel_})
+    above += part->sizeHint().height() + spacing;
+  if (texts == Texts::whole) above += speed_->sizeHint().height() + spacing;
+  return above + qRound(footMargin() * textScale());
 }
 
 void OperationView::placeHint()

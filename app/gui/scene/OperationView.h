@@ -117,6 +117,14 @@ private:
   void placeBoneNote();
   void fitReadOuts();
   void captionShortly();
+  /// How much the view's texts take, in the order in which they yield to the picture of a low view.
+  enum class Texts {
+    whole,
+    compact,  ///< Smaller numbers, without the speed.
+    low,      ///< Also without the captions and the line of phases.
+  };
+  int heightOf(Texts texts) const;
+  void showTexts(Texts texts);
   int footMargin() const;
   void fitScene();
   ReadOutTips tips() const;
@@ -127,7 +135,8 @@ private:
   StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
   int visitorLetter_px_ = 0;  ///< Size of the type for visitors; 0: for users of the workstation.
-  int hintLift_ = 0;          ///< Offset of the scale bars above a hint below them.
+  Texts texts_ = Texts::whole;
+  int hintLift_ = 0;  ///< Offset of the scale bars above a hint below them.
   QElapsedTimer sinceMotion_;
   QPoint mouse_;
   SceneLabels* labels_;

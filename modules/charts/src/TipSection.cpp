@@ -21,8 +21,11 @@ namespace {
 
 constexpr int directions = 120;
 constexpr double side_px = 14.0;
-constexpr double top_px = 30.0, bottom_px = 58.0;  ///< For names, scale and force.
-constexpr double cutStep_mm = 0.02;                ///< Between the balls that the array is cut as.
+constexpr double top_px = 38.0;     ///< For the scale, and the membrane's name below it.
+constexpr double bottom_px = 58.0;  ///< For names and force.
+constexpr double lowView_px = 200.0, lowBottom_px = 28.0;  ///< A view as low is too low for names.
+constexpr double namesGap_px = 8.0;
+constexpr double cutStep_mm = 0.02;  ///< Between the balls that the array is cut as.
 constexpr double cutReach_mm = 4.0;  ///< From the tip; balls farther behind are of other turns.
 
 /// An ellipse with its axes across and up [mm].
@@ -200,7 +203,8 @@ figures::Drawing TipSection::draw(const ArrayInScala& now, double width, double 
   PlotSheet sheet(width, height, {0.0, 0.0, 0.0, 0.0}, {0.0, 1.0, 1.0}, {0.0, 1.0, 1.0}, style_);
   const double angle = degrees(angle_deg(now)).si();
   const double space_x = std::max(20.0, width - 2.0 * side_px);
-  const double space_y = std::max(20.0, height - top_px - bottom_px);
+  const bool isLow = height < lowView_px;
+  const double space_y = std::max(20.0, height - top_px - (isLow ? lowBottom_px : bottom_px));
   const Frame frame{0.5 * width, top_px + 0.5 * space_y,
                     std::min(0.5 * space_x / halfWidth_mm_, 0.5 * space_y / halfHeight_mm_)};
 
@@ -230,9 +234,11 @@ figures::Drawing TipSection::draw(const ArrayInScala& now, double width, double 
   const std::string inward = "← " + strings.modiolus, outward = strings.outerWall + " →";
   const double left = std::max(8.0, frame.at({inner_mm, 0.0}).x);
   const double right = std::min(width - 8.0, frame.at({outer_mm, 0.0}).x);
-  const bool areBeside = widthOfLabel(inward) + widthOfLabel(outward) + 8.0 <= right - left;
-  sheet.write({left, names}, inward, ink.quiet);
-  sheet.write({right, areBeside ? names : names + 14.0}, outward, ink.quiet, Anchor::end);
+  const bool areBeside = widthOfLabel(inward) + widthOfLabel(outward) + namesGap_px <= right - left;
+  if (!isLow) {
+    sheet.write({left, names}, inward, ink.quiet);
+    sheet.write({right, areBeside ? names : names + 14.0}, outward, ink.quiet, Anchor::end);
+  }
 
   double force_mN = 0.0;
   if (now.isInside()) {

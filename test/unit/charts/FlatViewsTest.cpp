@@ -227,6 +227,21 @@ TEST(TipSection, DrawsScalaAndArrayToOneScale)
   EXPECT_NEAR(array.height() / px_mm, test::diameter_mm, 0.02);
 }
 
+/// The scale is in the first line of the view, the membrane's name below it, however high the view is.
+TEST(TipSection, NamesTheMembraneBelowTheScale)
+{
+  for (const double height : {120.0, 160.0, 200.0, 224.0, 240.0, 400.0}) {
+    const Drawing drawing = section(test::laidTo(300.0, 0.4), 0.9 * height, height);
+    const auto name = label(drawing, "basilar membrane"), scale = label(drawing, "0.5 mm");
+    ASSERT_TRUE(name && scale);
+    double bar = scale->at.y;
+    for (const Stroke& stroke : all<Stroke>(drawing, Ink{{0xE8, 0xEC, 0xEF}, 1.0}))
+      bar = std::max(bar, boxOf(stroke.points).bottom);
+    EXPECT_GE(name->at.y - name->size, bar) << height;
+    EXPECT_LE(name->at.y, outline(drawing).bottom) << height;
+  }
+}
+
 TEST(TipSection, PutsTheArrayWhereItIsWithTheModiolusAtTheLeft)
 {
   const Drawing drawing = section(test::laidTo(300.0, 0.4, -0.3));

@@ -2,6 +2,7 @@
 #include "RestingPicture.h"
 
 #include <GL/gl.h>
+#include <vtkAOSDataArrayTemplate.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -71,10 +72,11 @@ vtkMTimeType lastChange(vtkActor& actor)
 /// Corners of the triangles of a mesh, three each; empty if it has other cells.
 std::span<const vtkTypeInt64> cornersOf(vtkPolyData& mesh)
 {
-  vtkCellArray& cells = *mesh.GetPolys();
-  const vtkIdType count = cells.GetNumberOfCells();
-  if (!cells.IsStorage64Bit() || cells.GetNumberOfConnectivityIds() != 3 * count) return {};
-  return {cells.GetConnectivityArray64()->GetPointer(0), static_cast<std::size_t>(3 * count)};
+  using Corners = vtkAOSDataArrayTemplate<vtkTypeInt64>;
+  auto* const corners = vtkArrayDownCast<Corners>(mesh.GetPolys()->GetConnectivityArray());
+  if (corners == nullptr || corners->GetNumberOfValues() != 3 * mesh.GetPolys()->GetNumberOfCells())
+    return {};
+  return {corners->GetPointer(0), static_cast<std::size_t>(corners->GetNumberOfValues())};
 }
 
 /// Coordinates of the points of a mesh, three each; empty if they are no floats.

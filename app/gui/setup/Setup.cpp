@@ -13,6 +13,7 @@
 #include "gui/setup/StopTravel.h"
 #include "perilymph/analysis/ErrorBand.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlQuoted.h"
 
 namespace perilymph::gui {
 
@@ -236,13 +237,10 @@ std::string joined(const std::vector<std::string>& caption)
 
 std::string tomlQuoted(const QString& text)
 {
-  std::string quoted = "\"";
-  for (const QChar& character : text) {
-    if (character < QLatin1Char(' ') || character == QChar(0x7F)) continue;
-    if (character == QLatin1Char('"') || character == QLatin1Char('\\')) quoted += '\\';
-    quoted += QString(character).toStdString();
-  }
-  return quoted + '"';
+  QString printed;
+  for (const QChar& each : text)
+    if (each >= QLatin1Char(' ') && each != QChar(0x7F)) printed += each;
+  return perilymph::tomlQuoted(printed.toStdString());
 }
 
 Result<Setup> changed(const Setup& now, const SetupOrigin& origin, const SetupChange& change)

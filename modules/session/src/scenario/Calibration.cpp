@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "perilymph/foundation/TomlQuoted.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "scenario/EffectiveText.h"
 
@@ -120,8 +121,8 @@ std::string calibrationText(const Calibration& calibration)
       "# Fitted numbers for an array, and where they come from. Written by perilymph-cli "
       "calibrate.\n\n"
       "label = " +
-      tomlText(calibration.label) + "\narray = " + tomlText(calibration.array) +
-      "\nsource = " + tomlText(calibration.source) + "\n";
+      tomlQuoted(calibration.label) + "\narray = " + tomlQuoted(calibration.array) +
+      "\nsource = " + tomlQuoted(calibration.source) + "\n";
   text += valueText("stiffness_scale", calibration.stiffnessScale);
   text += valueText("residual_curvature_fraction", calibration.residualCurvature);
   for (const FittedForce& force : calibration.forces)

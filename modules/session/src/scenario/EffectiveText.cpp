@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "perilymph/foundation/TomlQuoted.h"
 #include "perilymph/session/Csv.h"
 
 namespace perilymph::session {
@@ -28,26 +29,6 @@ std::string joined(const std::vector<std::string>& names)
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
-}
-
-std::string tomlText(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (letter == '"' || letter == '\\') {
-      quoted += '\\';
-      quoted += letter;
-    } else if (code < 0x20 || code == 0x7f) {
-      constexpr const char* hexadecimal = "0123456789ABCDEF";
-      quoted += "\\u00";
-      quoted += hexadecimal[code >> 4];
-      quoted += hexadecimal[code & 0xf];
-    } else {
-      quoted += letter;
-    }
-  }
-  return quoted + '"';
 }
 
 double exactMillimeters(Length length)
@@ -94,7 +75,7 @@ bool ScenarioKeys::flag(const char* key, bool fallback)
 std::string ScenarioKeys::text(const char* key, const std::string& fallback)
 {
   const std::string value = reader_.text(key, fallback);
-  note(key, tomlText(value));
+  note(key, tomlQuoted(value));
   return value;
 }
 
@@ -111,7 +92,7 @@ void ScenarioKeys::notePatient(const anatomy::Patient& patient, anatomy::Anatomy
   const auto noteLength = [this](const char* key, Length length) {
     note(std::string("patient_numbers.") + key, tomlNumber(exactMillimeters(length)));
   };
-  note("patient_numbers.label", tomlText(patient.label));
+  note("patient_numbers.label", tomlQuoted(patient.label));
   if (patient.seal == Seal::changed) note("patient_numbers.changed_by_hand", "true");
   if (patient.basalTurn) {
     noteLength("a_mm", patient.basalTurn->a);

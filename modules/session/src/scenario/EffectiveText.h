@@ -24,9 +24,6 @@ std::string tomlNumbers(const std::vector<double>& values);
 /// "one, two, three"
 std::string joined(const std::vector<std::string>& names);
 
-/// A TOML basic string, quoted and escaped.
-std::string tomlText(const std::string& text);
-
 /// The shortest number that millimeters() converts to exactly this length.
 double exactMillimeters(Length length);
 

@@ -10,6 +10,7 @@
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Hash.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/TomlQuoted.h"
 #include "perilymph/foundation/TomlReader.h"
 #include "perilymph/session/Csv.h"
 #include "scenario/EffectiveText.h"
@@ -274,7 +275,7 @@ Result<ScenarioContent> readScenario(TomlReader& reader, const std::string& name
   if (const auto note = seatNote(parameters, deepest)) scenario.notes.push_back(*note);
   scenario.files = filesOf(scenario, reader.text("friction", "paper"), folder);
 
-  keys.note("array_fingerprint", tomlText(scenario.arrayFingerprint));
+  keys.note("array_fingerprint", tomlQuoted(scenario.arrayFingerprint));
   keys.notePatient(patient, parameters.cochlea.source);
   scenario.values = keys.values();
   scenario.text = keys.asToml();
@@ -366,7 +367,7 @@ Result<Scenario> Scenario::with(const Overrides& overrides) const
   // what the text was read with still holds, but for another array
   const bool keepsArray = overrideOf(overrides, "array") == nullptr;
   all.insert(all.begin(), {"array_fingerprint",
-                           tomlText(keepsArray ? expectedArrayFingerprint() : std::string())});
+                           tomlQuoted(keepsArray ? expectedArrayFingerprint() : std::string())});
   // a name with a point would lose what follows it
   auto changed = parseScenario(text(), name() + ".toml", all);
   if (!changed) return changed;

@@ -401,7 +401,7 @@ void OperationView::showTexts(Texts texts)
   phase_->setVisible(texts != Texts::low);
 }
 
-/// Of the read-outs above and the texts below the picture.
+/// The height that the read-outs above and the texts below the picture take.
 int OperationView::heightOf(Texts texts) const
 {
   int above = spacing;

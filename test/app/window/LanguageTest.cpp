@@ -60,11 +60,11 @@ public:
     QStringList words = text.split(QLatin1Char(' '));
     int added = 0;
     for (QString& word : words) {
-      const int more = word.size() * 2 / 5;
+      const int more = int(word.size()) * 2 / 5;
       word += QString(more, QLatin1Char('~'));
       added += more;
     }
-    words.last() += QString(std::min(6, text.size() * 2 / 5 - added), QLatin1Char('~'));
+    words.last() += QString(std::min(6, int(text.size()) * 2 / 5 - added), QLatin1Char('~'));
     return QLatin1Char('[') + words.join(QLatin1Char(' ')) + QLatin1Char(']');
   }
 

@@ -253,13 +253,13 @@ TEST_F(Panel, TabGoesThroughTheFieldsAndReturnGivesTheKeysBack)
     QTest::keyClick(rig_.window().focusWidget(), Qt::Key_Tab);
     visited << rig_.window().focusWidget()->objectName();
   }
-  int last = -1;
+  qsizetype last = -1;
   for (const char* name :
        {"panelPatientName", "earSelector", "anatomySelector", "panelScalaLength",
         "panelWindowWidth", "panelWindowHeight", "arraySelector", "techniqueSelector", "panelSpeed",
         "panelStop", "frictionSelector", "openingSelector", "modelSelector", "panelNodes",
         "scriptedChoice", "panelForceScale", "show0"}) {
-    const int place = visited.indexOf(QLatin1String(name));
+    const auto place = visited.indexOf(QLatin1String(name));
     EXPECT_GT(place, last) << name << " in " << visited.join(' ').toStdString();
     last = place;
   }

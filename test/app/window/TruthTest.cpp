@@ -139,15 +139,16 @@ public:
       readings_.addText(name, "anatomy text", anatomy_, name + "_mm");
       readings_.add(name, "plan.json", plan[name + "_mm"],
                     1.96 * plan[name + "_sd_mm"].get<double>());
-      readings_.add(name, "python", python_["given"][name][0], python_["given"][name][1]);
+      readings_.add(name, "python", python_["given"][name][0],
+                    python_["given"][name][1].get<double>());
       readings_.addText(name, "plan report", report, name + ": [a-z -]+");
       readings_.addText(name, "insertion report", record, name + ": [a-z -]+");
     }
     const std::string duct = "duct length";
     readings_.addText(duct, "anatomy text", anatomy_, "\ncdl_oc_mm");
     readings_.add(duct, "anatomy json", anatomy["cdl_oc_mm"],
-                  anatomy["derived"]["cdl_oc_mm"]["band"]);
-    readings_.add(duct, "python", python_["duct"][0], python_["duct"][1]);
+                  anatomy["derived"]["cdl_oc_mm"]["band"].get<double>());
+    readings_.add(duct, "python", python_["duct"][0], python_["duct"][1].get<double>());
     readings_.addText(duct, "plan report", report, "Cochlear duct length \\(CDL\\)");
     readings_.addText(duct, "insertion report", record, "Cochlear duct length \\(CDL\\)");
   }

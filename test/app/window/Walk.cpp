@@ -133,7 +133,7 @@ Walk::Walk(const char* page) : page_(page)
   auto found = heading.globalMatch(text);
   while (found.hasNext()) {
     const auto here = found.next();
-    const int end = text.indexOf(QLatin1String("\n## "), here.capturedEnd());
+    const auto end = text.indexOf(QLatin1String("\n## "), here.capturedEnd());
     steps_[here.captured(1).toInt()] = text.mid(here.capturedStart(), end - here.capturedStart());
   }
 }

@@ -106,7 +106,7 @@ void measure(benchmark::State& state, bool isClicked)
   ct::MeasureRequest request;
   if (isClicked) request.click_P = test::jitteredClick(phantom, 302);
   for (auto _ : state) {
-    const auto found = ct::measureCochlea(phantom.volume, request);
+    auto found = ct::measureCochlea(phantom.volume, request);
     if (!found) return state.SkipWithError(found.error().message.c_str());
     benchmark::DoNotOptimize(found->a.value);
   }

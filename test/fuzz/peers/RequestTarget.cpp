@@ -2,7 +2,7 @@
 
 // Fuzzes the stream of an OpenIGTLink client, in pieces of any size.
 
-#include <igtlCapabilityMessage.h>
+#include <igtlImageMessage.h>
 #include <igtlPolyDataMessage.h>
 #include <igtlTransformMessage.h>
 #include <igtl_util.h>
@@ -83,7 +83,7 @@ void checkWholeMessage(std::span<const std::uint8_t> body)
 std::vector<Bytes> seeds()
 {
   const Bytes polygons = packed(*igtl::GetPolyDataMessage::New(), "PerilymphScala");
-  Bytes several = packed(*igtl::GetCapabilityMessage::New(), "");
+  Bytes several = packed(*igtl::GetImageMessage::New(), "");
   const Bytes transform = packed(*igtl::TransformMessage::New(), "Other");
   several.insert(several.end(), transform.begin(), transform.end());
   several.insert(several.end(), polygons.begin(), polygons.end());

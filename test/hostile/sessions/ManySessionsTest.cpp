@@ -82,7 +82,7 @@ TEST_F(TenThousandSessions, AreAllListedNewestFirstAndReadOnce)
   const auto again = listSessions(folder.path());
   ASSERT_TRUE(again) << again.error().message;
   ASSERT_EQ(again->size(), all);
-  EXPECT_THAT(*again, testing::Each(testing::Field(&SessionSummary::error, "")));
+  EXPECT_THAT(*again, testing::Each(testing::Field(&SessionSummary::error, testing::IsEmpty())));
 }
 
 }  // namespace

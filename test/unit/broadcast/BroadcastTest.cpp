@@ -422,7 +422,8 @@ TEST_F(OpenIgtLink, SendsTheCtToAClientThatAsksForIt)
 TEST_F(OpenIgtLink, StatesWhatItSends)
 {
   const auto socket = client();
-  ask(*socket, *igtl::GetCapabilityMessage::New(), "");
+  const auto request = PlainClient::header(1, "GET_CAPABIL", "");
+  ASSERT_EQ(socket->Send(request.data(), static_cast<int>(request.size())), 1);
   const auto received = receive<igtl::CapabilityMessage>(*socket, "CAPABILITY", "Perilymph");
   EXPECT_THAT(received->GetTypes(), Contains("POLYDATA"));
   EXPECT_THAT(received->GetTypes(), Contains("IMAGE"));

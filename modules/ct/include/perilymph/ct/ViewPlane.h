@@ -3,7 +3,7 @@
 
 // Planes in which a CT is looked at: the patient's, and those of the cochlea.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <string>

@@ -86,15 +86,17 @@ void ReportSheet::line(const QRectF& place_mm, const QString& text, ReportFace f
   const QRectF place = dots(place_mm);
   // a text that is a little too long is set narrower, then cut
   constexpr double narrowest = 0.8;
-  const double needed = QFontMetricsF(painter_.font(), painter_.device()).horizontalAdvance(text);
-  if (needed > place.width()) {
-    QFont narrow = painter_.font();
-    narrow.setStretch(qRound(100.0 * std::max(narrowest, place.width() / needed)));
-    painter_.setFont(narrow);
-  }
   const QFontMetricsF metrics(painter_.font(), painter_.device());
-  painter_.drawText(place, int(alignment | Qt::AlignVCenter) | Qt::TextSingleLine,
-                    metrics.elidedText(text, Qt::ElideRight, place.width() + 1.0));
+  const double narrower =
+      std::clamp(place.width() / metrics.horizontalAdvance(text), narrowest, 1.0);
+  const double width = place.width() / narrower;
+  painter_.save();
+  painter_.translate(place.topLeft());
+  painter_.scale(narrower, 1.0);
+  painter_.drawText(QRectF(0.0, 0.0, width, place.height()),
+                    int(alignment | Qt::AlignVCenter) | Qt::TextSingleLine,
+                    metrics.elidedText(text, Qt::ElideRight, width + 1.0));
+  painter_.restore();
 }
 
 double ReportSheet::paragraph(double x_mm, double y_mm, double width_mm, const QString& text,

@@ -277,6 +277,8 @@ Result<void> writeSegmentation(const Lumen& lumen, const fs::path& ct, const fs:
     done = addFrame(*document, slices[i], frames[i], static_cast<Uint32>(i + 1));
   DcmFileFormat written;
   if (done.good()) done = document->writeDataset(*written.getDataset());
+  // DCMTK 3.7 writes 1, where bit 0 is the only one
+  if (done.good()) done = written.getDataset()->putAndInsertUint16(DCM_HighBit, 0);
   if (done.bad())
     return Error{"The lumen cannot be written as a segmentation of %1: %2.", ct, done.text()};
   return writeWhole(file,

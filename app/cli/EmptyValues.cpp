@@ -40,6 +40,16 @@ void refuseEmptyAssignments(int argc, const char* const* argv)
   }
 }
 
+std::string emptyValueIn(const CLI::App& app)
+{
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& value : option->results())
+      if (value.empty()) return emptyValue(option->get_name()).what();
+  for (const CLI::App* command : app.get_subcommands())
+    if (const std::string found = emptyValueIn(*command); !found.empty()) return found;
+  return {};
+}
+
 std::string settingValue(const std::string& option, const std::string& setting, std::size_t equals)
 {
   if (equals + 1 == setting.size())

@@ -20,6 +20,10 @@ void refuseEmptyValues(CLI::App& app);
 /// @throws CLI::ConversionError
 void refuseEmptyAssignments(int argc, const char* const* argv);
 
+/// The message about the first option or positional that was given an empty value; empty if none was. Newer
+/// versions of CLI11 first look for options that are missing: this sentence says more than theirs.
+std::string emptyValueIn(const CLI::App& app);
+
 /// The value in `key=value`.
 ///
 /// @throws CLI::ValidationError for an empty one.

@@ -29,6 +29,7 @@ constexpr int usageError = 2;
 /// Message for a command-line error.
 std::string label(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
+  if (const std::string empty = emptyValueIn(app); !empty.empty()) return empty;
   if (argc < 2 || argv[1][0] == '-') return error.what();
   const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isNamed).empty()) return error.what();

@@ -18,11 +18,11 @@ def run(*words):
 
 
 def options_of(*words):
-    return set(re.findall(r"^ +(?:-h,)?(--[a-z][a-z-]*)", run(*words, "--help"), re.MULTILINE))
+    return set(re.findall(r"^ {1,12}(?:-h, *)?(--[a-z][a-z-]*)", run(*words, "--help"), re.MULTILINE))
 
 
 def commands_below(*command):
-    listed = run(PROGRAMS / "perilymph-cli", *command, "--help").split("Subcommands:")
+    listed = re.split("subcommands:", run(PROGRAMS / "perilymph-cli", *command, "--help"), flags=re.IGNORECASE)
     return re.findall(r"^  ([a-z]+) ", listed[1], re.MULTILINE) if len(listed) > 1 else []
 
 

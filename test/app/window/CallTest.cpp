@@ -177,12 +177,25 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(PerilymphCall, WithAnEmptyValueIsRefusedAndTheOptionNamed)
 {
-  for (const std::string option : {"--scenario", "--record", "--device-plugin", "--screenshot",
-                                   "--quality", "--language", "--ticks", "--after"}) {
-    const auto outcome = perilymph({option, ""});
+  using std::string_literals::operator""s;
+  const std::vector<std::string> alone, frames = {"--measure-frames"},
+                                        shot = {"--screenshot", "window.png"};
+  for (const auto& [option, needed] : {std::pair{"--scenario"s, alone},
+                                       {"--record"s, alone},
+                                       {"--device-plugin"s, alone},
+                                       {"--screenshot"s, alone},
+                                       {"--quality"s, alone},
+                                       {"--language"s, alone},
+                                       {"--ticks"s, frames},
+                                       {"--after"s, shot}}) {
+    std::vector<std::string> call = needed;
+    call.insert(call.end(), {option, ""});
+    const auto outcome = perilymph(call);
     EXPECT_EQ(outcome.status, 2) << option;
     EXPECT_THAT(outcome.err, ::testing::StartsWith(option + " is empty"));
-    const auto assigned = perilymph({option + "=", "contour-published"});
+    call = needed;
+    call.insert(call.end(), {option + "=", "contour-published"});
+    const auto assigned = perilymph(call);
     EXPECT_EQ(assigned.status, 2) << option;
     EXPECT_THAT(assigned.err, ::testing::StartsWith(option + " is empty"));
   }

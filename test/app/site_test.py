@@ -155,7 +155,8 @@ class Site(unittest.TestCase):
         for file in self.site.rglob("*.css"):
             for address in re.findall(r"""url\(\s*["']?([^"')]*)|@import\s+["']([^"']*)""", file.read_text()):
                 address = "".join(address)
-                if address.startswith(("data:", "#")):
+                # "~": of the builder of a theme, which a newer Furo left in its style
+                if address.startswith(("data:", "#", "~")):
                     continue
                 with self.subTest(style=file.name, loads=address):
                     target = self.target(file, address)

@@ -34,6 +34,12 @@ std::map<std::string, std::string> contentsOf(const fs::path& folder)
   return all;
 }
 
+/// The content of a file without the time of its plan, which begins plan.toml.
+std::string undated(const std::string& content)
+{
+  return content.starts_with("made = ") ? content.substr(content.find('\n')) : content;
+}
+
 class KilledPrograms : public testing::Test {
 protected:
   /// Runs a call to its end, which gives the time that it takes.
@@ -87,8 +93,8 @@ TEST_F(KilledPrograms, ContinueAPlanAndAStudyToTheSameBytes)
       const auto found = contentsOf(place(name));
       // SQLite counts the transactions of the files that a program continues
       for (const auto& [file, content] : expected)
-        EXPECT_TRUE(found.contains(file) && (found.at(file) == content || file == "draws.sqlite" ||
-                                             file.starts_with("shard-")))
+        EXPECT_TRUE(found.contains(file) && (undated(found.at(file)) == undated(content) ||
+                                             file == "draws.sqlite" || file.starts_with("shard-")))
             << name << ": " << file;
       EXPECT_EQ(found.size(), expected.size()) << testing::PrintToString(namesIn(place(name)));
     }

@@ -30,24 +30,18 @@ void refuseEmptyValues(CLI::App& app)
   for (CLI::App* command : app.get_subcommands(nullptr)) refuseEmptyValues(*command);
 }
 
-void refuseEmptyAssignments(int argc, const char* const* argv)
+void refuseEmptyArguments(int argc, const char* const* argv)
 {
+  const auto isOption = [](std::string_view word) {
+    return word.size() > 2 && word.substr(0, 2) == "--";
+  };
   for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
+    const std::string_view word = argv[i], before = argv[i - 1];
     if (word == "--") return;
-    if (word.size() > 3 && word.substr(0, 2) == "--" && word.find('=') == word.size() - 1)
+    if (word.empty() && i > 1 && isOption(before)) throw emptyValue(std::string(before));
+    if (isOption(word) && word.find('=') == word.size() - 1)
       throw emptyValue(std::string(word.substr(0, word.size() - 1)));
   }
-}
-
-std::string emptyValueIn(const CLI::App& app)
-{
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& value : option->results())
-      if (value.empty()) return emptyValue(option->get_name()).what();
-  for (const CLI::App* command : app.get_subcommands())
-    if (const std::string found = emptyValueIn(*command); !found.empty()) return found;
-  return {};
 }
 
 std::string settingValue(const std::string& option, const std::string& setting, std::size_t equals)

@@ -15,14 +15,11 @@ namespace perilymph::cli {
 /// it after all of them are declared.
 void refuseEmptyValues(CLI::App& app);
 
-/// Refuses `--option=` without a value, for which CLI11 would take the next argument.
+/// Refuses `--option=` without a value, for which CLI11 would take the next argument, and `--option ''` before
+/// CLI11 looks for options that are missing: this sentence says more than that one.
 ///
 /// @throws CLI::ConversionError
-void refuseEmptyAssignments(int argc, const char* const* argv);
-
-/// The message about the first option or positional that was given an empty value; empty if none was. Newer
-/// versions of CLI11 first look for options that are missing: this sentence says more than theirs.
-std::string emptyValueIn(const CLI::App& app);
+void refuseEmptyArguments(int argc, const char* const* argv);
 
 /// The value in `key=value`.
 ///

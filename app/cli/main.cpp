@@ -29,7 +29,6 @@ constexpr int usageError = 2;
 /// Message for a command-line error.
 std::string label(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv)
 {
-  if (const std::string empty = emptyValueIn(app); !empty.empty()) return empty;
   if (argc < 2 || argv[1][0] == '-') return error.what();
   const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
   if (!app.get_subcommands(isNamed).empty()) return error.what();
@@ -59,7 +58,7 @@ int run(int argc, char** argv)
   addCommands(app, fileOptions, options);
 
   try {
-    refuseEmptyAssignments(argc, argv);
+    refuseEmptyArguments(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version

@@ -32,14 +32,12 @@ void refuseEmptyValues(CLI::App& app)
 
 void refuseEmptyArguments(int argc, const char* const* argv)
 {
-  const auto isOption = [](std::string_view word) {
-    return word.size() > 2 && word.substr(0, 2) == "--";
-  };
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i], before = argv[i - 1];
     if (word == "--") return;
-    if (word.empty() && i > 1 && isOption(before)) throw emptyValue(std::string(before));
-    if (isOption(word) && word.find('=') == word.size() - 1)
+    if (word.empty() && i > 1 && before.size() > 2 && before.substr(0, 2) == "--")
+      throw emptyValue(std::string(before));
+    if (word.size() > 3 && word.substr(0, 2) == "--" && word.find('=') == word.size() - 1)
       throw emptyValue(std::string(word.substr(0, word.size() - 1)));
   }
 }

@@ -55,8 +55,8 @@ CLI::ConversionError emptyValue(const std::string& name)
   return CLI::ConversionError(name + " is empty; give it a value (is a shell variable unset?)");
 }
 
-/// Refuses empty values of all options, and `--option=`, for which CLI11 would take the next
-/// argument.
+/// Refuses empty values of all options, `--option ''` before CLI11 looks for options that are missing, and
+/// `--option=`, for which CLI11 would take the next argument.
 void refuseEmptyValues(CLI::App& app, int argc, const char* const* argv)
 {
   for (CLI::Option* option : app.get_options()) {
@@ -69,7 +69,9 @@ void refuseEmptyValues(CLI::App& app, int argc, const char* const* argv)
     });
   }
   for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
+    const std::string_view word = argv[i], before = argv[i - 1];
+    if (word.empty() && i > 1 && before.size() > 2 && before.substr(0, 2) == "--")
+      throw emptyValue(std::string(before));
     if (word.size() > 3 && word.substr(0, 2) == "--" && word.find('=') == word.size() - 1)
       throw emptyValue(std::string(word.substr(0, word.size() - 1)));
   }

@@ -177,25 +177,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(PerilymphCall, WithAnEmptyValueIsRefusedAndTheOptionNamed)
 {
-  using std::string_literals::operator""s;
-  const std::vector<std::string> alone, frames = {"--measure-frames"},
-                                        shot = {"--screenshot", "window.png"};
-  for (const auto& [option, needed] : {std::pair{"--scenario"s, alone},
-                                       {"--record"s, alone},
-                                       {"--device-plugin"s, alone},
-                                       {"--screenshot"s, alone},
-                                       {"--quality"s, alone},
-                                       {"--language"s, alone},
-                                       {"--ticks"s, frames},
-                                       {"--after"s, shot}}) {
-    std::vector<std::string> call = needed;
-    call.insert(call.end(), {option, ""});
-    const auto outcome = perilymph(call);
+  for (const std::string option : {"--scenario", "--record", "--device-plugin", "--screenshot",
+                                   "--quality", "--language", "--ticks", "--after"}) {
+    const auto outcome = perilymph({option, ""});
     EXPECT_EQ(outcome.status, 2) << option;
     EXPECT_THAT(outcome.err, ::testing::StartsWith(option + " is empty"));
-    call = needed;
-    call.insert(call.end(), {option + "=", "contour-published"});
-    const auto assigned = perilymph(call);
+    const auto assigned = perilymph({option + "=", "contour-published"});
     EXPECT_EQ(assigned.status, 2) << option;
     EXPECT_THAT(assigned.err, ::testing::StartsWith(option + " is empty"));
   }

@@ -2,7 +2,6 @@
 #include "gui/report/OutcomeReport.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <algorithm>
 
 #include "gui/report/ReportPages.h"
@@ -12,6 +11,7 @@
 #include "gui/setup/PlannedFriction.h"
 #include "gui/text/Numbers.h"
 #include "gui/widgets/DrawingPainter.h"
+#include "perilymph/foundation/UtcTime.h"
 
 namespace perilymph::gui {
 
@@ -25,10 +25,7 @@ constexpr double view_mm = 58.0, unrolled_mm = 30.0, signature_mm = 17.0;
 // lupdate assigns texts of free functions to their namespace.
 QString tr(const char* text) { return QCoreApplication::translate("perilymph::gui", text); }
 
-QString nowText()
-{
-  return localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
-}
+QString nowText() { return localTimeOf(utcNow()); }
 
 /// What the surgeon stated, an entry each; what is not known is left out.
 QStringList surgeryWords(const outcome::Surgery& surgery)

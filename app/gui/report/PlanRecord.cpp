@@ -2,7 +2,6 @@
 #include "gui/report/PlanRecord.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <algorithm>
 
 #include "gui/report/MeasureTable.h"
@@ -15,6 +14,7 @@
 #include "gui/text/ClinicalText.h"
 #include "gui/text/DataText.h"
 #include "gui/text/Numbers.h"
+#include "perilymph/foundation/UtcTime.h"
 
 namespace perilymph::gui {
 
@@ -56,14 +56,12 @@ double paintIdentification(ReportSheet& sheet, const PlanReportContent& content,
                     {tr("Landmarks"), landmarksText(plan.request.patient)},
                     {tr("Simulations"), tr("%1 of each array").arg(plan.arrays.front().draws)}},
                    0.0, y_mm, left_mm);
-  const double right = paintEntries(
-      sheet,
-      {{tr("Institution"), issuer.institution},
-       {tr("Operator"), issuer.operatorName},
-       {tr("Date and time"),
-        localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString())},
-       {tr("Plan"), shortNumber(content)}},
-      left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
+  const double right = paintEntries(sheet,
+                                    {{tr("Institution"), issuer.institution},
+                                     {tr("Operator"), issuer.operatorName},
+                                     {tr("Date and time"), localTimeOf(utcNow())},
+                                     {tr("Plan"), shortNumber(content)}},
+                                    left_mm + gutter_mm, y_mm, width_mm - left_mm - gutter_mm);
   return std::max(left, right);
 }
 

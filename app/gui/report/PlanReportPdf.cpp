@@ -2,7 +2,6 @@
 #include "gui/report/PlanReportPdf.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 
 #include "gui/report/CtPicture.h"
 #include "gui/report/KeyImagePages.h"
@@ -10,6 +9,7 @@
 #include "gui/report/PlanCurves.h"
 #include "gui/report/PlanInfluences.h"
 #include "gui/report/PlanRecord.h"
+#include "perilymph/foundation/UtcTime.h"
 
 namespace perilymph::gui {
 
@@ -25,7 +25,7 @@ Result<void> writePlanReport(const PlanReportContent& content, const std::filesy
   ReportPages pages;
   pages.title = tr("Insertion plan");
   pages.subject = tr("Patient %1 · %2").arg(content.code(), content.ear());
-  pages.time = localTimeOf(QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+  pages.time = localTimeOf(utcNow());
   References references;
   pages.paintRecord = [&](ReportSheet& sheet, const ReportIssuer& issuer, const ReportArea& area) {
     paintPlanRecord(sheet, content, issuer, references, area);

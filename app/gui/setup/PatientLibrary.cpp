@@ -2,13 +2,13 @@
 #include "gui/setup/PatientLibrary.h"
 
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QStringList>
 #include <system_error>
 #include <utility>
 
 #include "gui/text/Numbers.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/UtcTime.h"
 
 namespace perilymph::gui {
 
@@ -31,8 +31,6 @@ fs::path fileOf(const anatomy::Patient& patient)
 }
 
 }  // namespace
-
-std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
 
 std::vector<SavedPatient> savedPatients()
 {
@@ -81,7 +79,7 @@ Result<fs::path> savePatientInLibrary(const anatomy::Patient& patient,
   // a copy: the former file is whole until the new one is
   if (isRenamed) fs::copy_file(session::recordFileOf(*replaced), record, ignored);
   const auto saved = session::savePatientVersion(
-      patient, file, {nowUtc(), {}, {}, anatomy::unusualMeasures(patient)}, !known);
+      patient, file, {utcNow(), {}, {}, anatomy::unusualMeasures(patient)}, !known);
   if (!saved) {
     if (isRenamed) fs::remove(record, ignored);
     return saved.error();

@@ -16,9 +16,6 @@ namespace perilymph::gui {
 
 using session::SavedPatient;
 
-/// "2026-11-20T09:30:00Z"
-std::string nowUtc();
-
 /// The readable patients of the patient folder, the last used first.
 std::vector<SavedPatient> savedPatients();
 

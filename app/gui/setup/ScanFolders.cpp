@@ -8,6 +8,7 @@
 #include "gui/setup/PatientLibrary.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/StateFolder.h"
+#include "perilymph/foundation/UtcTime.h"
 
 namespace perilymph::gui {
 
@@ -73,7 +74,7 @@ void rememberScan(const std::string& series, const fs::path& place, const std::s
   const auto before = std::find_if(known.begin(), known.end(),
                                    [&](const ReadScan& each) { return each.series == series; });
   // what is no code may be a name
-  ReadScan scan{series, whole, nowUtc(), anatomy::checkPatientCode(code) ? code : std::string()};
+  ReadScan scan{series, whole, utcNow(), anatomy::checkPatientCode(code) ? code : std::string()};
   if (before != known.end()) {
     if (scan.code.empty()) scan.code = before->code;
     known.erase(before);

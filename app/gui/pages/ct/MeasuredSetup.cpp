@@ -9,6 +9,7 @@
 
 #include "gui/setup/MeasureVersions.h"
 #include "gui/setup/PatientSetup.h"
+#include "perilymph/foundation/UtcTime.h"
 #include "perilymph/imaging/MeasuredPatient.h"
 #include "perilymph/session/PatientRecord.h"
 
@@ -20,7 +21,7 @@ namespace {
 session::VersionFacts factsOf(const ct::CochleaMeasures& measures, const std::string& text,
                               const anatomy::Patient& patient)
 {
-  session::VersionFacts facts{nowUtc(), text, {}, anatomy::unusualMeasures(patient)};
+  session::VersionFacts facts{utcNow(), text, {}, anatomy::unusualMeasures(patient)};
   for (std::size_t k = 0; k < ct::markCount; ++k)
     if (const auto& point = measures.marksByHand.points_P[k])
       facts.landmarks.push_back(

@@ -28,6 +28,7 @@
 #include "gui/widgets/Theme.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Resources.h"
+#include "perilymph/foundation/UtcTime.h"
 #include "perilymph/imaging/AcquisitionDay.h"
 #include "perilymph/outcome/ClinicLibrary.h"
 
@@ -647,7 +648,7 @@ QString OutcomePage::obstacle() const
 void OutcomePage::save()
 {
   if (!found() || !panel_->patient() || !obstacle().isEmpty()) return;
-  const std::string utc = nowUtc();
+  const std::string utc = utcNow();
   outcome::OutcomeContent saving = content();
   const QDate ctDay =
       QDate::fromString(QString::fromStdString(panel_->form().ctDay()), Qt::ISODate);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/plan/PlanWork.h"
 
-#include <QDateTime>
 #include <algorithm>
 #include <stop_token>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "gui/text/DataText.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/InParallel.h"
+#include "perilymph/foundation/UtcTime.h"
 #include "perilymph/planning/Plan.h"
 #include "perilymph/planning/PlanReport.h"
 
@@ -33,8 +33,7 @@ PlanWork::PlanWork(QObject* parent) : QObject(parent), background_(this)
 void PlanWork::compute(const planning::PlanRequest& request)
 {
   shared_ = std::make_shared<Shared>();
-  StoredPlan stored{folderOfPlan(request), request, 0, false,
-                    QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+  StoredPlan stored{folderOfPlan(request), request, 0, false, utcNow()};
   stored.request.jobs = jobsBesideWindow();
   background_.run(
       "The plan",

@@ -37,10 +37,13 @@ FinalState finalState(const session::Scenario& scenario,
       std::move(anatomy), std::move(model));
   if (!insertion) throw std::runtime_error(insertion.error().message);
   std::uint64_t done = 0;
-  const auto ran =
-      (*insertion)
-          ->runToEnd([&](const haptics::TickRecord&) { return ++done > 0; },
-                     session::maxTicks((*insertion)->parameters(), (*insertion)->model()));
+  const auto ran = (*insertion)
+                       ->runToEnd(
+                           [&](const haptics::TickRecord&) {
+                             ++done;
+                             return true;
+                           },
+                           session::maxTicks((*insertion)->parameters(), (*insertion)->model()));
   if (!ran) throw std::runtime_error(ran.error().message);
   return {done, (*insertion)->loop().engine().state(), (*insertion)->sharedAnatomy(),
           (*insertion)->sharedModel()};

@@ -143,7 +143,11 @@ TEST_F(DatabaseFile, KeepsSqliteFromFilesNamedInAJournal)
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open_v2(file.c_str(), &database, SQLITE_OPEN_READWRITE, ownFilesOnly()),
             SQLITE_OK);
-  sqlite3_exec(database, "SELECT * FROM note", nullptr, nullptr, nullptr);
+  const int done = sqlite3_exec(database, "SELECT * FROM note", nullptr, nullptr, nullptr);
+  // one newer than Debian 13's leaves the journal's file alone by itself, and reads
+  if (sqlite3_libversion_number() <= 3'046'001) {
+    EXPECT_NE(done, SQLITE_OK);
+  }
   sqlite3_close(database);
   EXPECT_TRUE(fs::exists(treasure));
 }

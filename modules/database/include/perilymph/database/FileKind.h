@@ -31,8 +31,8 @@ struct FileKind {
   /// Queries for rows that are never changed or removed once they are written: the log of a file has
   /// them all. Those of tables that a version does not have are not used.
   std::vector<std::string> lasting = {};
-  std::int64_t formerApplicationId =
-      0;  ///< `applicationId` of former versions; 0 if it was the same.
+  /// `applicationId` of former versions; 0 if it was the same.
+  std::int64_t formerApplicationId = 0;
 };
 
 /// SQL statements that mark an empty file as the newest version of its kind, begin a transaction

@@ -214,6 +214,15 @@ class Guide(unittest.TestCase):
         parts = re.split(r"^\$ (.*)\n", done.stdout, flags=re.MULTILINE)[1:]
         return dict(zip(parts[::2], parts[1::2]))
 
+    def assert_shown(self, axis, peak, wanted):
+        """The whole force; or less, and the result names why: on a busy machine reports come late, and a late handle that
+        moves with the force is damped."""
+        if axis["limited_by"]:
+            self.assertEqual(axis["limited_by"], ["the handle moved with the force and was damped"])
+            self.assertTrue(0.0 < peak <= wanted, axis)
+        else:
+            self.assertAlmostEqual(peak, wanted, delta=0.1 * wanted)
+
     def test_leads_from_the_template_to_a_tested_plugin_and_back(self):
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as data_home:
             outputs = self.play(Path(folder), Path(data_home))
@@ -233,12 +242,12 @@ class Guide(unittest.TestCase):
             self.assertTrue(test["passed"] and test["button_pressed"])
             # A fifth of 1 N moves a grip of 100 N/m by 2 mm; less is seen if a push began again while the handle came back.
             for axis in test["forces"]:
-                self.assertAlmostEqual(axis["peak_N"], 0.2, delta=0.02)
+                self.assert_shown(axis, axis["peak_N"], 0.2)
                 self.assertTrue(0.2 < axis["moved_mm"] < 2.4, axis)
             # A fifth of 50 mN.m against 0.1 N.m for a radian: 5.7 degrees.
             self.assertEqual([axis["axis"] for axis in test["torques"]], ["x", "y", "z"])
             for axis in test["torques"]:
-                self.assertAlmostEqual(axis["peak_N_m"], 0.01, delta=0.001)
+                self.assert_shown(axis, axis["peak_N_m"], 0.01)
                 self.assertTrue(0.6 < axis["turned_deg"] < 6.9, axis)
             after = json.loads((Path(folder) / "after.json").read_text())
             self.assertEqual(after["plugins"], [])

@@ -218,7 +218,8 @@ class Guide(unittest.TestCase):
         """The whole force; or less, and the result names why: on a busy machine reports come late, and a late handle that
         moves with the force is damped."""
         if axis["limited_by"]:
-            self.assertEqual(axis["limited_by"], ["the handle moved with the force and was damped"])
+            self.assertIn("the handle moved with the force and was damped", axis["limited_by"])
+            self.assertLessEqual(set(axis["limited_by"][1:]), {"the rate of change was limited"})  # when damping set in
             self.assertTrue(0.0 < peak <= wanted, axis)
         else:
             self.assertAlmostEqual(peak, wanted, delta=0.1 * wanted)

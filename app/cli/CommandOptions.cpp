@@ -57,7 +57,7 @@ void setOption(CLI::App& command, FileOptions& files, session::Overrides& overri
                   if (equals == std::string::npos || equals == 0)
                     throw CLI::ValidationError("--set", "'" + setting + "' is not key=value");
                   overrides.emplace_back(setting.substr(0, equals),
-                                         settingValue("--set", setting, equals));
+                                         options::settingValue("--set", setting, equals));
                 }
               },
               "Override scenario keys, e.g. --set speed_mm_s=1.0 nodes=40; repeatable")
@@ -386,7 +386,7 @@ void addCommands(CLI::App& app, FileOptions& files, CommandOptions& options)
   addCt(app, files, options);
   addArchive(app, files, options.archive);
   addStudy(app, files, options.study);
-  refuseEmptyValues(app);
+  options::refuseEmptyValues(app);
 }
 
 Result<void> runCommand(const CLI::App& app, const CommandFiles& files,

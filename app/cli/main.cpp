@@ -58,7 +58,7 @@ int run(int argc, char** argv)
   addCommands(app, fileOptions, options);
 
   try {
-    refuseEmptyArguments(argc, argv);
+    options::refuseEmptyArguments(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {  // --help, --version

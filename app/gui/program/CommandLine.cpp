@@ -5,6 +5,7 @@
 #include <iostream>
 #include <string_view>
 
+#include "EmptyValues.h"
 #include "perilymph/foundation/Version.h"
 
 namespace perilymph::gui {
@@ -47,34 +48,6 @@ std::string checkEndpoint(const std::string& text)
 {
   const auto endpoint = broadcast::parseEndpoint(text);
   return endpoint ? Sentence() : endpoint.error().message;
-}
-
-/// Not a ValidationError, which CLI11 would prefix with the option's name again.
-CLI::ConversionError emptyValue(const std::string& name)
-{
-  return CLI::ConversionError(name + " is empty; give it a value (is a shell variable unset?)");
-}
-
-/// Refuses empty values of all options, `--option ''` before CLI11 looks for options that are missing, and
-/// `--option=`, for which CLI11 would take the next argument.
-void refuseEmptyValues(CLI::App& app, int argc, const char* const* argv)
-{
-  for (CLI::Option* option : app.get_options()) {
-    if (option->get_items_expected_max() == 0) continue;  // a flag
-    const std::string name = option->get_name();
-    // A transform precedes every other check of the option.
-    option->transform([name](const std::string& value) -> std::string {
-      if (value.empty()) throw emptyValue(name);
-      return value;
-    });
-  }
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i], before = argv[i - 1];
-    if (word.empty() && i > 1 && before.size() > 2 && before.substr(0, 2) == "--")
-      throw emptyValue(std::string(before));
-    if (word.size() > 3 && word.substr(0, 2) == "--" && word.find('=') == word.size() - 1)
-      throw emptyValue(std::string(word.substr(0, word.size() - 1)));
-  }
 }
 
 }  // namespace
@@ -195,7 +168,8 @@ std::variant<CommandLine, Exit> parseCommandLine(int argc, const char* const* ar
     fileOption->excludes(other);
 
   try {
-    refuseEmptyValues(app, argc, argv);
+    options::refuseEmptyValues(app);
+    options::refuseEmptyArguments(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // --help and --version
     app.exit(success);

@@ -22,6 +22,46 @@ _Value = Union[str, bool, float, PathLike[str], Sequence[float], _Numbers, Patie
 _Overrides = Union[ScenarioValues, Mapping[str, _Value]]
 _Along = Union[float, tuple[ArrayLike, ArrayLike]]
 
+__all__ = [
+    "Array",
+    "Cochlea",
+    "CtMeasures",
+    "Error",
+    "Friction",
+    "Insertion",
+    "InsertionSnapshot",
+    "Patient",
+    "Plan",
+    "PlannedArray",
+    "Reading",
+    "Recording",
+    "Scenario",
+    "ScenarioValues",
+    "Simulation",
+    "Study",
+    "__version__",
+    "anatomies",
+    "archive",
+    "arrays",
+    "build_id",
+    "ct",
+    "frictions",
+    "outcome",
+    "patients",
+    "plan",
+    "read_array",
+    "read_both_measures",
+    "read_measures",
+    "read_patient",
+    "read_plan",
+    "read_recording",
+    "read_scenario",
+    "read_study",
+    "scenarios",
+    "simulate",
+    "study",
+]
+
 __version__: str
 build_id: str
 

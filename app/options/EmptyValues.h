@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Refusal of empty values, such as those of unset shell variables.
+// Refusal of empty values, such as those of unset shell variables, by all programs.
 
 #include <string>
 
@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace perilymph::cli {
+namespace perilymph::options {
 
 /// Makes every option and positional of an application and its commands refuse an empty value. Call
 /// it after all of them are declared.
@@ -26,4 +26,4 @@ void refuseEmptyArguments(int argc, const char* const* argv);
 /// @throws CLI::ValidationError for an empty one.
 std::string settingValue(const std::string& option, const std::string& setting, std::size_t equals);
 
-}  // namespace perilymph::cli
+}  // namespace perilymph::options

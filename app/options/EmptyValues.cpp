@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string_view>
 
-namespace perilymph::cli {
+namespace perilymph::options {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string settingValue(const std::string& option, const std::string& setting, 
   return setting.substr(equals + 1);
 }
 
-}  // namespace perilymph::cli
+}  // namespace perilymph::options

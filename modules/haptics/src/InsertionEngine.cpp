@@ -29,6 +29,13 @@ bool isFiniteVector(const Eigen::Vector3d& vector) noexcept
   return std::isfinite(vector[0]) && std::isfinite(vector[1]) && std::isfinite(vector[2]);
 }
 
+void asFloats(const double* values, std::size_t count, float* to) noexcept
+{
+  const auto size = static_cast<Eigen::Index>(count);
+  Eigen::Map<Eigen::ArrayXf>(to, size) =
+      Eigen::Map<const Eigen::ArrayXd>(values, size).cast<float>();
+}
+
 BasePose startOf(const mechanics::InsertionModel& model) noexcept
 {
   return {model.startBase_W, model.startAxis_W, model.startCurl_W};
@@ -361,14 +368,10 @@ void InsertionEngine::fill(Snapshot& snapshot) const noexcept
   snapshot.nodes = static_cast<std::uint32_t>(std::min(model_->nodes, mechanics::maxNodes));
   if (!isFinite()) return;
   noteRuptures(state_.partition, snapshot);
-  for (std::size_t i = 0; i < snapshot.nodes; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto k = static_cast<Eigen::Index>(axis);
-      snapshot.node_W[i][axis] = static_cast<float>(state_.position_W[i][k]);
-      snapshot.wallForce_W[i][axis] = static_cast<float>(state_.wallForce_W[i][k]);
-    }
-    snapshot.normalForce[i] = static_cast<float>(state_.normalForce[i]);
-  }
+  const std::size_t nodes = snapshot.nodes;
+  asFloats(state_.position_W.front().data(), 3 * nodes, snapshot.node_W.front().data());
+  asFloats(state_.wallForce_W.front().data(), 3 * nodes, snapshot.wallForce_W.front().data());
+  asFloats(state_.normalForce.data(), nodes, snapshot.normalForce.data());
 }
 
 std::uint64_t InsertionEngine::fingerprint() const noexcept

@@ -3,6 +3,8 @@
 
 // How objects compare and show themselves in Python.
 
+#include <pybind11/numpy.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>

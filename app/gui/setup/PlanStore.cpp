@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/setup/PlanStore.h"
 
+#include "gui/setup/Setup.h"
 #include "perilymph/foundation/AtomicFile.h"
 #include "perilymph/foundation/Sha256.h"
 #include "perilymph/foundation/StateFolder.h"

@@ -8,6 +8,7 @@
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>

@@ -18,6 +18,7 @@ class vtkMapper;
 class vtkOpaquePass;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
+class vtkProp;
 class vtkRenderer;
 class vtkTranslucentPass;
 

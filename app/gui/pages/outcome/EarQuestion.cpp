@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 #include "gui/setup/MeasureVersions.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/setup/PlannedFriction.h"
 #include "gui/text/ClinicalText.h"
 
 namespace perilymph::gui {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QTableView>
@@ -416,6 +417,21 @@ TEST_F(AReplay, PlaysToItsEndAndSaysThatItsBitsAgree)
       << rig_->readOut("travelReadOut").toStdString();
   EXPECT_TRUE(
       WindowRig::waitUntil([&] { return rig_->button("replayPlayButton").text() == "Play"; }));
+}
+
+TEST_F(AReplay, ShowsItsWholeVerdictInANarrowWindow)
+{
+  openReplay();
+  ASSERT_TRUE(WindowRig::waitUntil([&] { return replay().isChecked(); }));
+  auto& status = *rig_->window().findChild<QLabel*>("replayStatus");
+  for (const int width : {1024, 1280, 1366}) {
+    rig_->window().resize(width, 700);
+    ASSERT_TRUE(WindowRig::waitUntil([&] {
+      return rig_->window().width() == width && status.text().contains("identical replay");
+    }));
+    QCoreApplication::processEvents();
+    EXPECT_LE(status.heightForWidth(status.width()), status.height()) << width;
+  }
 }
 
 TEST_F(AReplay, RunsNoHapticLoop)

@@ -181,6 +181,7 @@ ReplayBar::ReplayBar(QWidget* parent)
   status_->setFont(typeface(11));
   status_->setProperty("quiet", true);
   status_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  status_->setWordWrap(true);
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
 
   auto* row = new QHBoxLayout(this);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stop_token>
 
 #include "perilymph/foundation/Four.h"
@@ -21,6 +22,8 @@ constexpr std::size_t polished = 1200;
 
 /// The center of the basal turn in W, near which a click into the cochlea is expected.
 const Eigen::Vector3d middle_W(0.8, 0.0, 0.8);
+
+constexpr double infinitelyMuch = std::numeric_limits<double>::infinity();
 
 /// Indices that the compiler computes together, as many as the machine's lanes hold.
 constexpr std::size_t block = 32;
@@ -82,11 +85,12 @@ public:
     return rows;
   }
 
-  /// The sum of the values at the grid's points nearest to those of one pose.
-  double sum(const Rows& rows, const Points& points) const
+  /// The sum of the values at the grid's points nearest to those of one pose, which grows from point to
+  /// point; summing ends where it is above `enough`.
+  double sum(const Rows& rows, const Points& points, double enough = infinitelyMuch) const
   {
     double result = 0.0;
-    withLanes([&]() PERILYMPH_KERNEL { result = sumInLanes(rows, points); });
+    withLanes([&]() PERILYMPH_KERNEL { result = sumInLanes(rows, points, enough); });
     return result;
   }
 
@@ -101,7 +105,7 @@ public:
   }
 
 private:
-  PERILYMPH_IN_LANES double sumInLanes(const Rows& rows, const Points& points) const
+  PERILYMPH_IN_LANES double sumInLanes(const Rows& rows, const Points& points, double enough) const
   {
     const float* const values = values_.data();
     std::array<double, 4> sums{};  // which do not wait for each other
@@ -123,6 +127,7 @@ private:
       } else {
         for (std::size_t i = 0; i < count; ++i) sums[0] += static_cast<double>(values[indices[i]]);
       }
+      if ((sums[0] + sums[1]) + (sums[2] + sums[3]) > enough) break;
     }
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
@@ -187,10 +192,16 @@ struct Sampling {
   Points inside, outside;
 };
 
-double score(const TemplateScore& image, const Sampling& points, const Pose& pose)
+/// The score of a pose, or, once it cannot be above `least`, any number that is not.
+double score(const TemplateScore& image, const Sampling& points, const Pose& pose,
+             double least = -infinitelyMuch)
 {
   const TemplateScore::Rows rows = image.rowsOf(pose);
-  return points.score(image.sum(rows, points.inside), image.sum(rows, points.outside));
+  const double inside = image.sum(rows, points.inside);
+  // what lies outside only lowers the score; a rounding more than what lowers it to `least`
+  const double enough =
+      (points.score(inside, 0.0) - least) * static_cast<double>(points.outside.size()) + 1e-6;
+  return enough < 0.0 ? least : points.score(inside, image.sum(rows, points.outside, enough));
 }
 
 /// The best of poses that differ by their origins alone, the first of equals.
@@ -202,13 +213,26 @@ Candidate bestOf(const TemplateScore& image, const Sampling& points, const std::
     for (std::size_t axis = 0; axis < 3; ++axis) origins.along[axis][i] = rows[axis][3];
   }
   const TemplateScore::Rows rows = image.rowsOf(poses.front());
-  std::vector<double> inside(poses.size()), outside(poses.size());
+  std::vector<double> inside(poses.size());
   image.addSums(rows, origins, points.inside, inside);
-  image.addSums(rows, origins, points.outside, outside);
-  Candidate best{{}, -10.0};
+  // What lies outside only lowers a score: those whose points inside alone score less than one whole
+  // pose cannot be the best.
+  const auto fullest =
+      static_cast<std::size_t>(std::max_element(inside.begin(), inside.end()) - inside.begin());
+  const double reached = score(image, points, poses[fullest]);
+  std::vector<std::size_t> left;
   for (std::size_t i = 0; i < poses.size(); ++i)
-    if (const double here = points.score(inside[i], outside[i]); here > best.score)
-      best = {poses[i], here};
+    if (points.score(inside[i], 0.0) >= reached) left.push_back(i);
+  Points leftOrigins(left.size());
+  for (std::size_t k = 0; k < left.size(); ++k)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      leftOrigins.along[axis][k] = origins.along[axis][left[k]];
+  std::vector<double> outside(left.size());
+  image.addSums(rows, leftOrigins, points.outside, outside);
+  Candidate best{{}, -10.0};
+  for (std::size_t k = 0; k < left.size(); ++k)
+    if (const double here = points.score(inside[left[k]], outside[k]); here > best.score)
+      best = {poses[left[k]], here};
   return best;
 }
 
@@ -247,7 +271,7 @@ Candidate climb(const TemplateScore& image, const Sampling& points, Candidate ca
       const bool isTurn = move < 6;
       const Pose pose =
           candidate.pose.moved((isTurn ? turn : 0.0) * by, (isTurn ? 0.0 : shift) * by);
-      const double better = score(image, points, pose);
+      const double better = score(image, points, pose, candidate.score);
       if (better > candidate.score) {
         candidate = {pose, better};
         failures = 0;

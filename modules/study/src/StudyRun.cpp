@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
+#include <future>
+#include <iterator>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <stop_token>
 #include <tuple>
+#include <unordered_map>
 
 #include "perilymph/analysis/AnatomyMeasures.h"
 #include "perilymph/analysis/InsertionRun.h"
@@ -20,12 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Insertions of a block, which an interruption loses at most: a twentieth of the shard, as many as there
-/// are threads, which take about the time of one, and 64 at most, which take some seconds.
-std::size_t blockSizeOf(std::size_t cases, unsigned jobs)
+/// Insertions that are written together, which a crash loses at most beside those of running pieces: a
+/// twentieth of the shard, as many as there are threads, and 64 at most, which take some seconds.
+std::size_t blockSizeOf(std::size_t cases, std::size_t threads)
 {
   constexpr std::size_t parts = 20, most = 64;
-  const std::size_t threads = jobs > 0 ? jobs : processors();
   return std::min(std::max({std::size_t{1}, cases / parts, threads}), most);
 }
 
@@ -98,34 +102,115 @@ struct Piece {
   std::size_t first, end;
 };
 
-bool isOneCochlea(const Study& study, std::size_t first, std::size_t end)
-{
-  return first / study.casesPerCochlea() == (end - 1) / study.casesPerCochlea();
-}
-
-/// The pieces of a block: one per cochlea, or one per case if the block lies within one cochlea.
-std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t end)
+/// The cases [first, end) in pieces: one per cochlea, so that threads seldom wait for the same one to be
+/// built, or one per case where there are few cochleae for the threads.
+std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t end,
+                            std::size_t threads)
 {
   const std::size_t perCochlea = study.casesPerCochlea();
+  const bool hasFewCochleae = (end - first) / perCochlea < 4 * threads;
   std::vector<Piece> pieces;
   for (std::size_t at = first; at < end;) {
     const std::size_t nextCochlea = (at / perCochlea + 1) * perCochlea;
-    const std::size_t next = isOneCochlea(study, first, end) ? at + 1 : std::min(end, nextCochlea);
+    const std::size_t next = hasFewCochleae ? at + 1 : std::min(end, nextCochlea);
     pieces.push_back({at, next});
     at = next;
   }
   return pieces;
 }
 
-/// End of the block that begins at a case: whole cochleae, or part of one that has many cases.
-std::size_t endOfBlock(const Study& study, std::size_t first, std::size_t end,
-                       std::size_t blockSize)
-{
-  const std::size_t perCochlea = study.casesPerCochlea();
-  const std::size_t nextCochlea = (first / perCochlea + 1) * perCochlea;
-  if (perCochlea >= blockSize) return std::min({end, nextCochlea, first + blockSize});
-  return std::min(end, nextCochlea + (blockSize / perCochlea - 1) * perCochlea);
-}
+/// The cochleae that pieces at work share. The first piece that needs one builds it; as pieces begin in their
+/// order, only the newest is needed by pieces that have not begun.
+class SharedCochleae {
+public:
+  explicit SharedCochleae(const Study& study) : study_(study) {}
+
+  std::shared_ptr<const BuiltCochlea> of(std::size_t index)
+  {
+    std::shared_future<std::shared_ptr<const BuiltCochlea>> cochlea;
+    std::promise<std::shared_ptr<const BuiltCochlea>> own;
+    bool isOwn = false;
+    {
+      const std::lock_guard guard(lock_);
+      auto& place = places_[index];
+      if (auto known = place.cochlea.lock()) return known;
+      isOwn = !place.isBuilding.valid();
+      if (isOwn) place.isBuilding = own.get_future().share();
+      cochlea = place.isBuilding;
+    }
+    if (!isOwn) return cochlea.get();
+    auto built = std::make_shared<const BuiltCochlea>(buildCochlea(study_, index));
+    const std::lock_guard guard(lock_);
+    std::erase_if(places_, [](const auto& each) {
+      return each.second.cochlea.expired() && !each.second.isBuilding.valid();
+    });
+    places_[index] = {built, {}};
+    newest_ = built;
+    own.set_value(built);
+    return built;
+  }
+
+private:
+  struct Place {
+    std::weak_ptr<const BuiltCochlea> cochlea;
+    std::shared_future<std::shared_ptr<const BuiltCochlea>> isBuilding;
+  };
+  const Study& study_;
+  std::mutex lock_;
+  std::unordered_map<std::size_t, Place> places_;
+  std::shared_ptr<const BuiltCochlea> newest_;
+};
+
+/// Results of pieces that end in any order, written in that of the cases.
+class OrderedResults {
+public:
+  OrderedResults(const Study& study, StudyFile& file, std::size_t blockSize,
+                 std::vector<Piece> pieces)
+      : study_(study),
+        file_(file),
+        blockSize_(blockSize),
+        pieces_(std::move(pieces)),
+        ended_(pieces_.size())
+  {
+  }
+
+  const std::vector<Piece>& pieces() const { return pieces_; }
+
+  /// In any thread.
+  void add(std::size_t piece, std::vector<StudyResult> results)
+  {
+    const std::lock_guard guard(lock_);
+    ended_[piece] = std::move(results);
+  }
+
+  /// Writes what has ended without a gap, if that is a block, or all that is left.
+  Result<void> write(bool isAll)
+  {
+    {
+      const std::lock_guard guard(lock_);
+      for (; next_ < ended_.size() && ended_[next_]; ++next_) {
+        std::move(ended_[next_]->begin(), ended_[next_]->end(), std::back_inserter(waiting_));
+        ended_[next_].reset();
+      }
+    }
+    if (waiting_.empty() || (!isAll && waiting_.size() < blockSize_)) return {};
+    if (const auto same = study_.checkFiles(); !same) return same;
+    const auto added = file_.append(waiting_);
+    waiting_.clear();
+    return added;
+  }
+
+private:
+  const Study& study_;
+  StudyFile& file_;
+  std::size_t blockSize_;
+  std::vector<Piece> pieces_;
+  std::mutex lock_;
+  std::vector<std::optional<std::vector<StudyResult>>>
+      ended_;             ///< By piece; none: not yet, or written.
+  std::size_t next_ = 0;  ///< The first piece that had not ended.
+  std::vector<StudyResult> waiting_;
+};
 
 }  // namespace
 
@@ -150,41 +235,39 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
       StudyFile::openToContinue(folder / fileNameOf(shard), factsOf(study, shard.first, shard.end));
   if (!file) return file.error();
 
-  std::size_t first = shard.first + file->size();
+  const std::size_t first = shard.first + file->size();
   const std::size_t all = shard.end - shard.first;
-  const std::size_t blockSize = blockSizeOf(all, jobs);
-  BuiltCochlea shared;  // of a block within one cochlea, and of the next such block
-  while (first < shard.end) {
-    const std::size_t end = endOfBlock(study, first, shard.end, blockSize);
-    const std::vector<Piece> pieces = piecesOf(study, first, end);
-    const std::size_t cochlea = first / study.casesPerCochlea();
-    const bool isShared = isOneCochlea(study, first, end);
-    if (isShared && (!shared.anatomy || shared.index != cochlea))
-      shared = buildCochlea(study, cochlea);
-    std::vector<StudyResult> results(end - first);
-    std::atomic<std::size_t> finished{0};
-    const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<void> {
-      const Piece& piece = pieces[number];
-      const BuiltCochlea own =
-          isShared ? shared : buildCochlea(study, piece.first / study.casesPerCochlea());
-      for (std::size_t i = piece.first; i < piece.end && !ending.stop_requested(); ++i) {
-        results[i - first] = resultOf(study, i, own, ending);
-        ++finished;
-      }
-      return {};
-    };
-    const auto ran = doInParallel(
-        pieces.size(), jobs, work,
-        [&](std::size_t) {
-          if (progress) progress(first - shard.first + finished, all);
-        },
-        stop);
-    if (stop.stop_requested()) return false;
-    if (!ran) return ran.error();
-    if (const auto same = study.checkFiles(); !same) return same.error();
-    if (const auto added = file->append(results); !added) return added.error();
-    first = end;
-  }
+  const std::size_t threads = jobs > 0 ? jobs : processors();
+  OrderedResults results(study, *file, blockSizeOf(all, threads),
+                         piecesOf(study, first, shard.end, threads));
+  SharedCochleae cochleae(study);
+  std::atomic<std::size_t> finished{0};
+  const auto work = [&](std::size_t number, const std::stop_token& ending) -> Result<void> {
+    const Piece& piece = results.pieces()[number];
+    const auto cochlea = cochleae.of(piece.first / study.casesPerCochlea());
+    std::vector<StudyResult> own;
+    for (std::size_t i = piece.first; i < piece.end; ++i) {
+      own.push_back(resultOf(study, i, *cochlea, ending));
+      if (ending.stop_requested()) return {};  // the insertion did not end
+      ++finished;
+    }
+    results.add(number, std::move(own));
+    return {};
+  };
+  std::stop_source ending;
+  const std::stop_callback forward(stop, [&ending] { ending.request_stop(); });
+  Result<void> written;
+  const auto writeAndTell = [&](std::size_t) {
+    if (written) written = results.write(false);
+    if (!written) ending.request_stop();
+    if (progress) progress(first - shard.first + finished, all);
+  };
+  const auto ran =
+      doInParallel(results.pieces().size(), jobs, work, writeAndTell, ending.get_token());
+  if (written) written = results.write(true);
+  if (!written) return written.error();
+  if (stop.stop_requested()) return false;
+  if (!ran) return ran.error();
   if (const auto closed = file->close(); !closed) return closed.error();
   return true;
 }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 /// Coarse: short insertions with few nodes and long steps.
-Study shortStudy(const std::string& more = "")
+Study shortStudy(const std::string& more = "", int cochleae = 2)
 {
   const auto study = parseStudy(R"(
 title = "Short"
@@ -33,7 +33,8 @@ depth = "scenario"
 samples = 2
 [cochleae]
 mean = true
-virtual = 2
+virtual = )" + std::to_string(cochleae) +
+                                    R"(
 [vary]
 nodes = [30]
 dt_ms = [5.0]
@@ -113,6 +114,17 @@ TEST_F(StudyRuns, GiveTheSameBytesForEveryDivisionOrderAndNumberOfThreads)
     EXPECT_GT(one.size(), 500u);
     EXPECT_TRUE(one == bytesOf(folder("threads") / file)) << file;
     EXPECT_TRUE(one == bytesOf(folder("five") / file)) << file;
+  }
+}
+
+TEST_F(StudyRuns, GiveTheSameBytesWhereThreadsRunWholeCochleae)
+{
+  const Study study = shortStudy({}, 12);
+  for (const unsigned jobs : {1u, 2u, 3u}) {
+    const fs::path out = folder(std::to_string(jobs));
+    ASSERT_TRUE(run(study, out, 1, 1, jobs));
+    ASSERT_TRUE(mergeShards(out));
+    EXPECT_TRUE(bytesOf(out / mergedFile) == bytesOf(folder("1") / mergedFile)) << jobs;
   }
 }
 
@@ -206,7 +218,7 @@ approach_turn_deg = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
   const auto states = shardsIn(folder("stopped"));
   ASSERT_TRUE(states);
   EXPECT_GE(states->front().done, 40u - longer.size() / 20 - 1);
-  EXPECT_LE(states->front().done, 40u);
+  EXPECT_LT(states->front().done, longer.size());
 
   ASSERT_TRUE(run(longer, folder("stopped"), 1, 1));
   ASSERT_TRUE(run(longer, folder("whole"), 1, 1));
@@ -243,7 +255,8 @@ stop_travel_mm = [0.5]
   const auto changed = runsWhile(9.6);
   ASSERT_FALSE(changed);
   EXPECT_THAT(changed.error().message, HasSubstr("p.toml was changed while the study ran"));
-  EXPECT_EQ(shardsIn(folder("out"))->front().done, 0u);
+  EXPECT_LT(shardsIn(folder("out"))->front().done, 2u);  // the mean cochlea may be written before
+  ASSERT_TRUE(writeWhole(measures, patient(9.2)));
   const auto same = runsWhile(9.2);
   ASSERT_TRUE(same) << same.error().message;
   EXPECT_EQ(shardsIn(folder("out"))->front().done, 2u);

@@ -27,9 +27,9 @@ Shard shardOf(std::size_t cases, std::size_t index, std::size_t count);
 std::string fileNameOf(const Shard& shard);
 
 /// Runs a shard into its file in the folder, or resumes an earlier run. Results are
-/// written in blocks by transactions: whatever ends the process, whole blocks remain. An insertion
-/// that cannot be prepared or that ends early is a result; those of a block in which a file of the
-/// study was changed are discarded.
+/// written in the order of their cases by transactions: whatever ends the process, those that were written
+/// remain. An insertion that cannot be prepared or that ends early is a result; those not yet written when a
+/// file of the study was changed are discarded.
 ///
 /// @param jobs  Threads; 0: one per processor. Results do not depend on it.
 /// @return      True if the shard is complete, false if it was stopped. Refuses a file of another

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "checkedSettings.h"
+#include "perilymph/foundation/Four.h"
 
 namespace perilymph::haptics {
 
@@ -31,9 +32,13 @@ bool isFiniteVector(const Eigen::Vector3d& vector) noexcept
 
 void asFloats(const double* values, std::size_t count, float* to) noexcept
 {
-  const auto size = static_cast<Eigen::Index>(count);
-  Eigen::Map<Eigen::ArrayXf>(to, size) =
-      Eigen::Map<const Eigen::ArrayXd>(values, size).cast<float>();
+  withLanes([&]() PERILYMPH_KERNEL {
+    constexpr std::size_t together = 8;
+    std::size_t i = 0;
+    for (; i + together <= count; i += together)
+      for (std::size_t k = 0; k < together; ++k) to[i + k] = static_cast<float>(values[i + k]);
+    for (; i < count; ++i) to[i] = static_cast<float>(values[i]);
+  });
 }
 
 BasePose startOf(const mechanics::InsertionModel& model) noexcept

@@ -69,8 +69,11 @@ public:
     static const QRegularExpression rule(QStringLiteral("^[|:\\s-]*$")),
         heading(QStringLiteral("^#+ ")), bar(QStringLiteral("(?<!\\\\)\\|")),
         question(QStringLiteral("^\\*\\*\\d+\\. ([^*]+)\\*\\*"));
+    bool isInTable = false;
     while (!file.atEnd()) {
       QString line = QString::fromUtf8(file.readLine());
+      const bool isHead = line.startsWith('|') && !isInTable;
+      isInTable = line.startsWith('|');
       if (line.contains(rule) || line.startsWith(QLatin1String("<!--"))) continue;
       if (line.contains(heading)) {
         line = shown(line.remove(heading));
@@ -85,8 +88,13 @@ public:
         QStringList cells = line.split(bar);
         std::transform(cells.begin(), cells.end(), cells.begin(), shown);
         cells.removeAll({});
-        if (isGlossary && !cells.isEmpty()) begin(cells.takeFirst());
-        add(cells.join(" | "));
+        if (isHead || cells.isEmpty()) continue;  // of columns, which an excerpt does not show
+        const QString first = cells.takeFirst();
+        if (isGlossary)
+          begin(first);
+        else
+          add(cells.isEmpty() ? first : first + ':');
+        add(cells.join("; ") + (cells.isEmpty() ? "" : "."));
       } else {
         add(shown(line));
       }

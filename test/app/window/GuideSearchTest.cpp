@@ -62,7 +62,8 @@ TEST(GuideSearch, FindsWhatUsersAsk)
                {"scalar translocation", "glossary.md", "translocation"},
                {"set round window entry point", "glossary.md", "opening"},
                {"learning curve p value", "questions.md", "Is there a p value"},
-               {"screen frozen no 3d picture", "questions.md", "The picture is slow"}});
+               {"screen frozen no 3d picture", "questions.md", "The picture is slow"},
+               {"keyboard shortcut", "questions.md", "Which keyboard shortcuts"}});
 }
 
 TEST(GuideSearch, FindsWhatUsersAskInGerman)
@@ -81,7 +82,21 @@ TEST(GuideSearch, FindsWhatUsersAskInGerman)
                {"rundes fenster oder cochleostomie", "glossary.md", "Öffnung"},
                // part of a compound; a page that is English only
                {"umschlag", "glossary.md", "Spitzenumschlag"},
+               {"tastenkürzel", "questions.md", "Welche Tastenkürzel"},
                {"OpenIGTLink", "navigation.md", ""}});
+}
+
+TEST(GuideSearch, ShowsRowsOfTablesAsText)
+{
+  const auto search = gui::GuideSearch::read(resource("resources/guide/README.md"));
+  ASSERT_TRUE(search) << search.error().message;
+  for (const char* words :
+       {"speed", "force too high", "late ticks", "nodes", "keyboard", "shortcut"}) {
+    const auto hits = search->find(words);
+    EXPECT_FALSE(hits.empty()) << words;
+    for (const gui::GuideHit& hit : hits)
+      EXPECT_FALSE(hit.excerpt.contains(QLatin1String(" | "))) << hit.excerpt.toStdString();
+  }
 }
 
 TEST(GuideSearch, TakesAnyLetters)

@@ -25,12 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Insertions that take some seconds.
+constexpr std::size_t mostTogether = 64;
+
 /// Insertions that are written together, which a crash loses at most beside those of running pieces: a
-/// twentieth of the shard, as many as there are threads, and 64 at most, which take some seconds.
+/// twentieth of the shard, as many as there are threads, and `mostTogether` at most.
 std::size_t blockSizeOf(std::size_t cases, std::size_t threads)
 {
-  constexpr std::size_t parts = 20, most = 64;
-  return std::min(std::max({std::size_t{1}, cases / parts, threads}), most);
+  constexpr std::size_t parts = 20;
+  return std::min(std::max({std::size_t{1}, cases / parts, threads}), mostTogether);
 }
 
 /// A cochlea as built, with its measures; or a message.
@@ -102,8 +105,8 @@ struct Piece {
   std::size_t first, end;
 };
 
-/// The cases [first, end) in pieces: one per cochlea, so that threads seldom wait for the same one to be
-/// built, or one per case where there are few cochleae for the threads.
+/// The cases [first, end) in pieces: of one cochlea, so that threads seldom wait for the same one to be
+/// built, or of one case where there are few cochleae for the threads.
 std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t end,
                             std::size_t threads)
 {
@@ -112,7 +115,8 @@ std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t e
   std::vector<Piece> pieces;
   for (std::size_t at = first; at < end;) {
     const std::size_t nextCochlea = (at / perCochlea + 1) * perCochlea;
-    const std::size_t next = hasFewCochleae ? at + 1 : std::min(end, nextCochlea);
+    const std::size_t next =
+        hasFewCochleae ? at + 1 : std::min({end, nextCochlea, at + mostTogether});
     pieces.push_back({at, next});
     at = next;
   }
@@ -206,8 +210,8 @@ private:
   std::size_t blockSize_;
   std::vector<Piece> pieces_;
   std::mutex lock_;
-  std::vector<std::optional<std::vector<StudyResult>>>
-      ended_;             ///< By piece; none: not yet, or written.
+  /// Of each piece; none before it ends and after it is written.
+  std::vector<std::optional<std::vector<StudyResult>>> ended_;
   std::size_t next_ = 0;  ///< The first piece that had not ended.
   std::vector<StudyResult> waiting_;
 };

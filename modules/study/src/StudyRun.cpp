@@ -26,14 +26,14 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Insertions that take some seconds.
-constexpr std::size_t mostTogether = 64;
+constexpr std::size_t maxTogether = 64;
 
 /// Insertions that are written together, which a crash loses at most beside those of running pieces: a
-/// twentieth of the shard, as many as there are threads, and `mostTogether` at most.
+/// twentieth of the shard, as many as there are threads, and `maxTogether` at most.
 std::size_t blockSizeOf(std::size_t cases, std::size_t threads)
 {
   constexpr std::size_t parts = 20;
-  return std::min(std::max({std::size_t{1}, cases / parts, threads}), mostTogether);
+  return std::min(std::max({std::size_t{1}, cases / parts, threads}), maxTogether);
 }
 
 /// A cochlea as built, with its measures; or a message.
@@ -116,7 +116,7 @@ std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t e
   for (std::size_t at = first; at < end;) {
     const std::size_t nextCochlea = (at / perCochlea + 1) * perCochlea;
     const std::size_t next =
-        hasFewCochleae ? at + 1 : std::min({end, nextCochlea, at + mostTogether});
+        hasFewCochleae ? at + 1 : std::min({end, nextCochlea, at + maxTogether});
     pieces.push_back({at, next});
     at = next;
   }
@@ -210,7 +210,7 @@ private:
   std::size_t blockSize_;
   std::vector<Piece> pieces_;
   std::mutex lock_;
-  /// Of each piece; none before it ends and after it is written.
+  /// Each piece's; none before it ends and after it is written.
   std::vector<std::optional<std::vector<StudyResult>>> ended_;
   std::size_t next_ = 0;  ///< The first piece that had not ended.
   std::vector<StudyResult> waiting_;

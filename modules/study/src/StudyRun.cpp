@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <future>
 #include <iterator>
 #include <memory>
 #include <mutex>
@@ -123,46 +122,38 @@ std::vector<Piece> piecesOf(const Study& study, std::size_t first, std::size_t e
   return pieces;
 }
 
-/// The cochleae that pieces at work share. The first piece that needs one builds it; as pieces begin in their
-/// order, only the newest is needed by pieces that have not begun.
+/// The cochleae that pieces at work share. The first piece that needs one builds it, while others of the same
+/// cochlea wait; as pieces begin in their order, only the newest is kept for those that have not begun.
 class SharedCochleae {
 public:
   explicit SharedCochleae(const Study& study) : study_(study) {}
 
   std::shared_ptr<const BuiltCochlea> of(std::size_t index)
   {
-    std::shared_future<std::shared_ptr<const BuiltCochlea>> cochlea;
-    std::promise<std::shared_ptr<const BuiltCochlea>> own;
-    bool isOwn = false;
-    {
-      const std::lock_guard guard(lock_);
-      auto& place = places_[index];
-      if (auto known = place.cochlea.lock()) return known;
-      isOwn = !place.isBuilding.valid();
-      if (isOwn) place.isBuilding = own.get_future().share();
-      cochlea = place.isBuilding;
-    }
-    if (!isOwn) return cochlea.get();
-    auto built = std::make_shared<const BuiltCochlea>(buildCochlea(study_, index));
-    const std::lock_guard guard(lock_);
-    std::erase_if(places_, [](const auto& each) {
-      return each.second.cochlea.expired() && !each.second.isBuilding.valid();
-    });
-    places_[index] = {built, {}};
-    newest_ = built;
-    own.set_value(built);
-    return built;
+    const std::shared_ptr<Place> place = placeOf(index);
+    std::call_once(place->isBuilt, [&] { place->cochlea = buildCochlea(study_, index); });
+    return {place, &place->cochlea};
   }
 
 private:
   struct Place {
-    std::weak_ptr<const BuiltCochlea> cochlea;
-    std::shared_future<std::shared_ptr<const BuiltCochlea>> isBuilding;
+    std::once_flag isBuilt;
+    BuiltCochlea cochlea;
   };
+
+  std::shared_ptr<Place> placeOf(std::size_t index)
+  {
+    const std::lock_guard guard(lock_);
+    std::erase_if(places_, [](const auto& each) { return each.second.expired(); });
+    auto place = places_[index].lock();
+    if (!place) places_[index] = place = newest_ = std::make_shared<Place>();
+    return place;
+  }
+
   const Study& study_;
   std::mutex lock_;
-  std::unordered_map<std::size_t, Place> places_;
-  std::shared_ptr<const BuiltCochlea> newest_;
+  std::unordered_map<std::size_t, std::weak_ptr<Place>> places_;
+  std::shared_ptr<Place> newest_;
 };
 
 /// Results of pieces that end in any order, written in that of the cases.
@@ -262,9 +253,9 @@ Result<bool> runShard(const Study& study, const Shard& shard, const fs::path& fo
   const std::stop_callback forward(stop, [&ending] { ending.request_stop(); });
   Result<void> written;
   const auto writeAndTell = [&](std::size_t) {
+    if (progress) progress(first - shard.first + finished, all);
     if (written) written = results.write(false);
     if (!written) ending.request_stop();
-    if (progress) progress(first - shard.first + finished, all);
   };
   const auto ran =
       doInParallel(results.pieces().size(), jobs, work, writeAndTell, ending.get_token());

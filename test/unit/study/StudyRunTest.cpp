@@ -255,8 +255,7 @@ stop_travel_mm = [0.5]
   const auto changed = runsWhile(9.6);
   ASSERT_FALSE(changed);
   EXPECT_THAT(changed.error().message, HasSubstr("p.toml was changed while the study ran"));
-  EXPECT_LT(shardsIn(folder("out"))->front().done, 2u);  // the mean cochlea may be written before
-  ASSERT_TRUE(writeWhole(measures, patient(9.2)));
+  EXPECT_EQ(shardsIn(folder("out"))->front().done, 0u);
   const auto same = runsWhile(9.2);
   ASSERT_TRUE(same) << same.error().message;
   EXPECT_EQ(shardsIn(folder("out"))->front().done, 2u);

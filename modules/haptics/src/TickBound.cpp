@@ -48,7 +48,7 @@ mechanics::InsertionModel tireless(mechanics::InsertionModel model, Factors fact
   solver.atRest = solver.stuck = solver.settledForce = 0.0;
   const bool isAlways = factors == Factors::always;
   solver.farStep = isAlways ? 0.0 : 1.0;  // [m]
-  solver.goodRatio = isAlways ? 0.0 : 1.0;
+  solver.goodRatio = solver.keptRatio = isAlways ? 0.0 : 1.0;
   return model;
 }
 

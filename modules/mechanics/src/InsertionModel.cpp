@@ -93,7 +93,7 @@ void check(const SolverParameters& solver)
        {solver.forceTolerance, solver.motionTolerance, solver.motionFraction, solver.atRest,
         solver.stuck, solver.minGain, solver.settledForce, solver.longestStep,
         solver.slopeTolerance, solver.farStep, solver.nearStep, solver.goodRatio,
-        solver.goodReduction, solver.maxLag, solver.trendGain})
+        solver.goodReduction, solver.keptRatio, solver.maxLag, solver.trendGain})
     require(value > 0.0 && value <= 1e3, "A tolerance of the solver is " + std::to_string(value) +
                                              "; it must be above 0 and at most 1000.");
 }

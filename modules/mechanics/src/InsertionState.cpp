@@ -173,6 +173,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   rod.section.styletWithdrawal = std::numeric_limits<double>::quiet_NaN();
   for (OpenNode& node : rod.contacts.open) node = OpenNode{};
   rod.system.factors.invalidate();
+  rod.system.stepRemains = false;
   if (model.points) resetPoints(model, *this, workspace->points);
   readings = Readings{};
   readings.depth = model.parts.startInside.si() > 0.0 ? model.parts.startInside.si() : 0.0;
@@ -212,6 +213,8 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   if (!frictionFilm_W.empty()) addVector(hash, rim.film_W);
   addSeen(hash, workspace->rod.contacts);
   workspace->rod.system.factors.addTo(hash);
+  if (workspace->rod.system.stepRemains)
+    for (const Eigen::Vector3d& step : workspace->rod.system.trial_W) addVector(hash, step);
   addVector(hash, rim.spring_W);
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);

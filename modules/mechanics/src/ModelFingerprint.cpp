@@ -7,9 +7,9 @@
 namespace perilymph::mechanics {
 namespace {
 
-// Raised whenever the solver gives the same rod other bits: 3 since a step predicts its end by the trend
-// of the velocities.
-constexpr int rodSolver = 3;
+// Raised whenever the solver gives the same rod other bits: 4 since the prediction of a step makes the
+// Newton step that the last one left.
+constexpr int rodSolver = 4;
 // The same of the forceps' hold: 2 since a node takes the mean of it over its segment.
 constexpr int hold = 2;
 
@@ -146,11 +146,11 @@ void add(Hash& hash, const Opening& opening)
 void add(Hash& hash, const SolverParameters& solver)
 {
   const auto& [evaluations, factorizations, tries, force, motion, fraction, atRest, stuck, gain,
-               settled, longest, slope, far, near, ratio, reduction, lag, passes, renewals, trend] =
-      solver;
+               settled, longest, slope, far, near, ratio, reduction, kept, lag, passes, renewals,
+               trend] = solver;
   for (const int value : {evaluations, factorizations, tries, passes, renewals}) hash.add(value);
   for (const double value : {force, motion, fraction, atRest, stuck, gain, settled, longest, slope,
-                             far, near, ratio, reduction, lag, trend})
+                             far, near, ratio, reduction, kept, lag, trend})
     hash.add(value);
 }
 

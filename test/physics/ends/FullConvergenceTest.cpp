@@ -58,7 +58,7 @@ std::shared_ptr<const mechanics::InsertionModel> patient(const mechanics::Insert
   solver.maxIterationsToRenew = 1'000'000;  // finer steps take more
   solver.forceTolerance *= 0.01;
   solver.motionTolerance *= 0.01;
-  solver.motionFraction *= 0.01;
+  solver.motionFraction = 1e-5;
   return result;
 }
 

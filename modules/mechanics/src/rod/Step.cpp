@@ -17,6 +17,7 @@ namespace {
 
 /// Initial guess: while the hand continues its motion, every node continues its own with its trend,
 /// scaled by the same factor; otherwise every node slides along the array by the advance of the base.
+/// A Newton step that remains from the last time step is made in addition.
 void predict(const InsertionModel& model, InsertionState& state, const Drive& drive,
              const Base& base, RodWorkspace& work) noexcept
 {
@@ -43,6 +44,13 @@ void predict(const InsertionModel& model, InsertionState& state, const Drive& dr
   } else {
     for (std::size_t i = 2; i < n; ++i)
       state.position_W[i] = work.start.position_W[i] + forward * work.rod.tangent_W[i - 1];
+  }
+  if (work.system.stepRemains) {
+    const double* remaining = componentsOf(work.system.trial_W);
+    inLanesInPlace(6, 3 * n, [=](auto lane, std::size_t k) PERILYMPH_KERNEL {
+      using T = decltype(lane);
+      store(T(load<T>(position, k) + load<T>(remaining, k - 3)), position, k);
+    });
   }
   state.position_W[0] = to_W;
   state.position_W[1] = to_W + model.spacing * drive.handAxis_W;

@@ -26,6 +26,9 @@ struct LinearSystem {
   BandMatrix matrix;
   std::vector<Eigen::Vector3d> right;    ///< Unbalanced force on each block [N].
   std::vector<Eigen::Vector3d> trial_W;  ///< The Newton step, per block [m].
+  /// The step was too short to be worth another evaluation: the next prediction makes it. Then
+  /// trial_W is part of the state.
+  bool stepRemains = false;
   std::vector<Eigen::Vector3d> start_W;  ///< Positions of the nodes at its start [m].
   std::vector<Eigen::Vector3d> edge_W;   ///< Each edge after the step, or its rate [m].
   /// Factors of the last factorized stiffness, from this time step or an earlier one: part of the

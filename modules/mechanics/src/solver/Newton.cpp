@@ -11,10 +11,10 @@
 namespace perilymph::mechanics {
 namespace {
 
-/// Whether a step reduced the unbalanced forces sufficiently.
-bool wasGood(const SolverParameters& law, const Residual& before, const Residual& after) noexcept
+/// Whether a step reduced the unbalanced forces below this fraction.
+bool reduced(const Residual& before, const Residual& after, double ratio) noexcept
 {
-  return after.squaredNorm < law.goodRatio * law.goodRatio * before.squaredNorm;
+  return after.squaredNorm < ratio * ratio * before.squaredNorm;
 }
 
 /// Whether no force is left unbalanced that matters, neither on a node nor, added up, at the hand.
@@ -56,7 +56,7 @@ double lineSearch(const InsertionModel& model, InsertionState& state, const Base
   for (int k = 0; k < tries; ++k) {
     moveBy(work.system, alpha, state.position_W);
     now = residual(model, state, base, work);
-    if (wasGood(law, before, now)) return alpha;
+    if (reduced(before, now, law.goodRatio)) return alpha;
     const double slope = directionalDerivativeAt(work.system, alpha);
     if (slope >= -enough && (k == 0 || slope <= enough)) return alpha;
     if (slope > 0.0) {
@@ -90,6 +90,7 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
   const double shortest = std::max(law.motionTolerance, law.motionFraction * advance);
 
   auto& [now, iterations] = result;
+  work.system.stepRemains = false;
   for (; triesLeft(law, work.done) > 0 && now.maxNorm > law.atRest; ++iterations) {
     if (!factors.exist()) {
       Compression compression = Compression::included;
@@ -103,9 +104,11 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     }
     if (model.isOval && longest > law.nearStep && iterations == 0)
       for (SectionReach& section : work.contacts.section) section.isKnown = false;
-    if (isBalanced(law, now) && longest < shortest) break;
     // the sum may stay where nothing moves any more
-    if (now.maxNorm <= law.forceTolerance && longest < law.motionTolerance && iterations > 0) break;
+    work.system.stepRemains =
+        (isBalanced(law, now) && longest < shortest) ||
+        (now.maxNorm <= law.forceTolerance && longest < law.motionTolerance && iterations > 0);
+    if (work.system.stepRemains) break;
 
     const double slope = directionalDerivative(work.system);
     if (!(slope > 0.0) || !std::isfinite(longest)) break;
@@ -113,9 +116,9 @@ SolveResult iterate(const InsertionModel& model, InsertionState& state, const Ba
     const Residual before = now;
     const double alpha =
         lineSearch(model, state, base, slope, std::min(1.0, law.longestStep / longest), now, work);
-    const bool isGood = wasGood(law, before, now);
-    if (!isGood) factors.invalidate();
-    if (isGood && isBalanced(law, now) && alpha * longest < law.goodReduction * shortest) {
+    if (!reduced(before, now, law.keptRatio)) factors.invalidate();
+    if (reduced(before, now, law.goodRatio) && isBalanced(law, now) &&
+        alpha * longest < law.goodReduction * shortest) {
       ++iterations;
       break;
     }

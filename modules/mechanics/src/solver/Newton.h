@@ -15,7 +15,7 @@ struct SolveResult {
 
 /// Moves the nodes from state.position_W until the forces are balanced: Newton's method with a line
 /// search for lower energy. The factors of the stiffness are kept from step to step and renewed only
-/// when they give bad steps. With the unbalanced forces F_i on the nodes, the motion d of the
+/// when they give bad steps (keptRatio). With the unbalanced forces F_i on the nodes, the motion d of the
 /// iteration, the motion b of the base, s = max(motionTolerance, motionFraction b) and the names of
 /// SolverParameters, it has converged if
 ///
@@ -23,6 +23,9 @@ struct SolveResult {
 ///     max |F_i| and |sum F_i| <= forceTolerance  and  max |d_i| < s
 ///     the same forces, |F| reduced below goodRatio  and  max |d_i| < goodReduction s, of a motion made
 ///     max |F_i| <= forceTolerance  and  max |d_i| < motionTolerance, after the first iteration
+///
+/// In the second and the last of these cases d is left to the prediction of the next time step
+/// (LinearSystem::stepRemains), since it is too short to be worth another evaluation.
 ///
 /// |F_i| is the largest component and |F|^2 the sum of squares over all nodes. It also stops, and may
 /// leave more than forceTolerance, if

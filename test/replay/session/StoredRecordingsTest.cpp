@@ -36,8 +36,6 @@ TEST(StoredRecordings, CoverEveryShippedScenarioWithBothModels)
                          "mean-contour-points", "mean-flex28-rod", "mean-flex28-points",
                          // since the published experiment has a passage
                          "contour-published-rod-passage",
-                         // in format 3, with blocks
-                         "contour-published-rod-blocks",
                          // before the mean cochlea had bone
                          "mean-contour-rod-published-wall", "mean-flex28-rod-published-wall"));
 }

@@ -103,6 +103,7 @@ InsertionState::InsertionState(const InsertionModel& model)
       isBeside(position_W.size()),
       clearance(position_W.size()),
       normalForce(position_W.size()),
+      normalForceBefore(position_W.size()),
       wallForce_W(position_W.size()),
       wallNormal_W(position_W.size()),
       wallTorque(position_W.size()),
@@ -148,7 +149,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
     isSliding[i] = 0;
     slipSpeed[i] = 0.0;
     track[i] = model.parts.lumen->startTrack();
-    normalForce[i] = 0.0;
+    normalForce[i] = normalForceBefore[i] = 0.0;
     wallForce_W[i].setZero();
     wallNormal_W[i].setZero();
     wallTorque[i] = {};
@@ -161,6 +162,7 @@ void InsertionState::reset(const InsertionModel& model) noexcept
   straighten(plasticBend);
   for (Eigen::Vector3d& film : frictionFilm_W) film.setZero();
   rim = RimContact{};
+  rimForceBefore = 0.0;
   partition.count = 0;
   partition.first = {};
   for (unsigned char& isAbove : partition.isAbove) isAbove = 0;
@@ -200,6 +202,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
     hash.add(clearance[i]);
     if (isBeside[i] != 0) hash.add(i);
     hash.add(normalForce[i]);
+    hash.add(normalForceBefore[i]);
     addVector(hash, wallNormal_W[i]);
     hash.add(wallTorque[i].torque);
     if (section[i].isKnown) {
@@ -219,6 +222,7 @@ std::uint64_t InsertionState::fingerprint() const noexcept
   hash.add(rim.isSliding);
   hash.add(rim.slipSpeed);
   hash.add(rim.normalForce);
+  hash.add(rimForceBefore);
   addVector(hash, rim.normal_W);
   if (rim.fromTip > 0.0) hash.add(rim.fromTip);
   if (!points.place_W.empty()) points.addTo(hash);

@@ -8,7 +8,7 @@ namespace perilymph::mechanics {
 namespace {
 
 // Raised whenever the solver gives the same rod other bits: 4 since the prediction of a step makes the
-// Newton step that the last one left.
+// Newton step that the last one left, and friction is bounded by the expected pressure.
 constexpr int rodSolver = 4;
 // The same of the forceps' hold: 2 since a node takes the mean of it over its segment.
 constexpr int hold = 2;

@@ -43,8 +43,8 @@ PERILYMPH_IN_LANES void store(const FrictionStepOf<T>& step, FrictionStiffness& 
   store(step.along, to.along, i);
 }
 
-/// Friction in a step is bounded by the pressure at its start, and perpendicular to the normal
-/// there.
+/// Friction in a step is bounded by the pressure that is expected at its end, and perpendicular to
+/// the normal at its start.
 struct FrictionHistory {
   explicit FrictionHistory(std::size_t nodes = 0)
       : pressedBefore(nodes),

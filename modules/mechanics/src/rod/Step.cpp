@@ -82,15 +82,36 @@ bool isSame(const std::vector<Eigen::Vector3d>& a, const std::vector<Eigen::Vect
   return std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
+/// Normal force at the end of a step, of a node or of four: it changes as in the step before, by at
+/// most half. Where a contact begins or ended nothing is expected.
+template <class T>
+PERILYMPH_IN_LANES T expectedForce(const T& now, const T& before) noexcept
+{
+  const T half = 0.5 * now;
+  const T change = smaller(larger(T(now - before), T(-half)), half);
+  return oneOf((now > 0.0) & (before > 0.0), T(now + change), now);
+}
+
 /// Stores the state at the start of the step.
 void remember(InsertionState& state, bool isOval, RodWorkspace& work) noexcept
 {
-  work.friction.pressedBefore = state.normalForce;
+  // what goes on from an unbalanced step tells nothing of the next one
+  if (state.isSettling) {
+    state.normalForceBefore = state.normalForce;
+    state.rimForceBefore = state.rim.normalForce;
+  }
+  inLanesInPlace(0, state.normalForce.size(), [&](auto lane, std::size_t i) PERILYMPH_KERNEL {
+    using T = decltype(lane);
+    const T now = load<T>(state.normalForce, i);
+    store(expectedForce(now, load<T>(state.normalForceBefore, i)), work.friction.pressedBefore, i);
+    store(now, state.normalForceBefore, i);
+  });
   copy(state.wallNormal_W, work.friction.normalBefore_W);
   std::ranges::fill(work.contacts.isKnown, no);
   if (isOval)
     for (SectionReach& section : work.contacts.section) section.isKnown = false;
-  work.friction.rimPressedBefore = state.rim.normalForce;
+  work.friction.rimPressedBefore = expectedForce(state.rim.normalForce, state.rimForceBefore);
+  state.rimForceBefore = state.rim.normalForce;
   work.friction.rimNormalBefore_W = state.rim.normal_W;
 }
 

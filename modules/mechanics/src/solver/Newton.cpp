@@ -147,7 +147,7 @@ SolveResult solveNewton(const InsertionModel& model, InsertionState& state, cons
       break;
     const double before = lag;
     lag = frictionLag(model, state, work.contacts, work.friction);
-    // where friction and pressure amplify each other, each step keeps the pressure at its start
+    // where friction and pressure amplify each other, each step keeps the pressure it has
     if (lag <= law.maxLag || !(lag < 0.5 * before) || result.residual.maxNorm > law.forceTolerance)
       break;
     renewFriction(state, work.contacts, work.friction);

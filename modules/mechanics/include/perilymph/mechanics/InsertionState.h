@@ -143,6 +143,7 @@ struct InsertionState {
   std::vector<double> clearance;              ///< Distance each node can move in any direction
                                               ///< without touching [m].
   std::vector<double> normalForce;            ///< Normal force of the wall on each node [N].
+  std::vector<double> normalForceBefore;      ///< The same at the end of the step before [N].
   std::vector<Eigen::Vector3d> wallForce_W;   ///< Normal and friction on each node [N].
   std::vector<Eigen::Vector3d> wallNormal_W;  ///< Unit normal of the wall at each node that touches
                                               ///< it.
@@ -151,6 +152,7 @@ struct InsertionState {
   std::vector<SectionReach> section;
   std::vector<double> membraneForce;  ///< Force of the basilar membrane on each node [N].
   RimContact rim;
+  double rimForceBefore = 0.0;  ///< Its normal force at the end of the step before [N].
   PartitionState partition;
   PointSetState points;  ///< State of a point set; empty for a rod.
   Readings readings;

@@ -70,7 +70,7 @@ struct SolverParameters {
 
   // --- Friction and prediction ---
 
-  /// Friction is bounded by an earlier normal force, which is renewed while its error may exceed
+  /// Friction is bounded by an expected normal force, which is renewed while its error may exceed
   /// this [N].
   double maxLag = 0.1e-3;
   /// Maximum renewals in a step.

@@ -95,12 +95,13 @@ struct RodError {
 
 /// Compares what an engine returns over the slow push with the closed form:
 ///
-///     pressedTip  sideward force N and push mu N, the larger error. Euler's elastica: for the angle a of
-///                 the rod, EI a'' = N (cos a - mu sin a), a = turn at the hand and a' = 0 at the tip.
+///     pressedTip  sideward force N and push mu N, the larger error. Euler's elastica (Timoshenko and Gere,
+///                 Theory of Elastic Stability, 1961, 2.7): for the angle a of the rod,
+///                 EI a'' = N (cos a - mu sin a), a = turn at the hand and a' = 0 at the tip.
 ///     pushForce   F = EI / (2 R^2), because each length ds that enters the bend takes up the energy
 ///                 EI ds / (2 R^2); R is the bend's radius and the play, because the rod lies outside.
-///     capstan     q = q_tip exp(mu phi): the load q = P / R of an arc balances its compression P, and
-///                 P' = mu q along it. Compared is mu phi, over 1.5 rad.
+///     capstan     q = q_tip exp(mu phi), the law of Euler and Eytelwein: the load q = P / R of an arc
+///                 balances its compression P, and P' = mu q along it. Compared is mu phi, over 1.5 rad.
 class RodComparison {
 public:
   explicit RodComparison(const RodTrial& trial);

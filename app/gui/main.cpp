@@ -30,6 +30,7 @@
 #include "gui/run/Background.h"
 #include "gui/run/InsertionBroadcast.h"
 #include "gui/run/UserSettings.h"
+#include "gui/scene/RendererName.h"
 #include "gui/setup/SetupHistory.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/shell/Navigation.h"

@@ -103,7 +103,7 @@ KioskWindow::KioskWindow(session::Scenario scenario, std::filesystem::path board
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(frameInterval_ms);
   connect(&timer_, &QTimer::timeout, this, &KioskWindow::onFrame);
-  connect(&screen_->view(), &QOpenGLWidget::frameSwapped, this, &KioskWindow::onPresented);
+  connect(&screen_->view(), &PlainVtkWidget::presented, this, &KioskWindow::onPresented);
   qApp->installEventFilter(this);
 }
 

@@ -24,7 +24,7 @@ public:
   explicit BoneFrames(MainWindow& window)
       : QObject(&window), view_(*window.findChild<SurfaceView*>())
   {
-    connect(&view_, &QOpenGLWidget::frameSwapped, this, [this] {
+    connect(&view_, &PlainVtkWidget::presented, this, [this] {
       if (!isWaiting_) return;
       isWaiting_ = false;
       meter_.present(FrameMeter::Clock::now());

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <cstdlib>
 #include <string>
@@ -80,21 +79,6 @@ Result<void> probeOpenGl()
     return Error{"This display offers OpenGL %1.%2.%3", got.majorVersion(), got.minorVersion(),
                  advice};
   return {};
-}
-
-std::string openGlRenderer()
-{
-  QOpenGLContext context;
-  context.setFormat(QSurfaceFormat::defaultFormat());
-  QOffscreenSurface surface;
-  if (!context.create()) return {};
-  surface.setFormat(context.format());
-  surface.create();
-  if (!context.makeCurrent(&surface)) return {};
-  const auto* name = context.functions()->glGetString(GL_RENDERER);
-  const std::string renderer = name != nullptr ? reinterpret_cast<const char*>(name) : "";
-  context.doneCurrent();
-  return renderer;
 }
 
 bool hasStereoBuffers()

@@ -17,9 +17,6 @@ Result<void> probeDisplay();
 /// aborts without it.
 Result<void> probeOpenGl();
 
-/// Name of the OpenGL renderer; empty if unavailable. Call after QApplication.
-std::string openGlRenderer();
-
 /// Whether the display supports stereo buffers. Call after QApplication.
 bool hasStereoBuffers();
 

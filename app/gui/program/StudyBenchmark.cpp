@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <QLineEdit>
-#include <QOpenGLWidget>
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +11,7 @@
 #include "gui/pages/insert/FrameMeter.h"
 #include "gui/pages/studies/StudiesPage.h"
 #include "gui/pages/studies/StudyPlot.h"
+#include "gui/scene/PlainVtkWidget.h"
 #include "gui/shell/MainWindow.h"
 #include "gui/text/Numbers.h"
 
@@ -28,9 +28,9 @@ public:
   explicit StudyFrames(MainWindow& window)
       : QObject(&window),
         page_(*window.pages().find<StudiesPage>()),
-        view_(*page_.findChild<QOpenGLWidget*>())
+        view_(*page_.findChild<PlainVtkWidget*>())
   {
-    connect(&view_, &QOpenGLWidget::frameSwapped, this, [this] {
+    connect(&view_, &PlainVtkWidget::presented, this, [this] {
       if (!isWaiting_) return;
       isWaiting_ = false;
       meter_.present(FrameMeter::Clock::now());
@@ -61,7 +61,7 @@ private:
   }
 
   StudiesPage& page_;
-  QOpenGLWidget& view_;
+  PlainVtkWidget& view_;
   FrameMeter meter_;
   double low_ = 0.0, step_ = 0.0;  ///< [mm]
   int frame_ = 0;

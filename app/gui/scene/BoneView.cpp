@@ -44,10 +44,7 @@ void BoneView::render()
 
 void BoneView::renderMoving()
 {
-  if (!isSoftware_) {
-    makeCurrent();
-    isSoftware_ = isSoftwareRenderer(rendererOf(*this));
-  }
+  if (!isSoftware_) isSoftware_ = isSoftwareRenderer(renderer());
   layer()->setMoving(*isSoftware_);  // a graphics card always draws the fine surface
   render();
   rest_.start();

@@ -351,6 +351,7 @@ void OperationView::stepCamera(double seconds)
 
 void OperationView::describeView()
 {
+  describedMagnification_ = scene_->magnification();
   magnification_->setText(tr("Microscope × %1").arg(numberText(scene_->magnification(), 1)));
   const QString eyes = nameOf(stereo_);
   const QString name = nameOf(scene_->preset());
@@ -458,9 +459,9 @@ bool OperationView::renderIfDirty()
 {
   if (!isDirty_ || !scene_ || !isValid()) return false;
   isDirty_ = false;
-  const double before = scene_->magnification();
   renderWindow()->Render();
-  if (scene_->magnification() != before) describeView();  // it framed the ear in another window
+  // since then it framed the ear in another window
+  if (scene_->magnification() != describedMagnification_) describeView();
   if (twin_ != nullptr) twin_->renderAs(*scene_);
   if (scene_->bone().isVisible()) placeBoneNote();
   // the scales lie above the foot, at the left

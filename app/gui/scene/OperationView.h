@@ -134,6 +134,7 @@ private:
   visualization::Stereo stereo_ = visualization::Stereo::off;
   StereoWindow* twin_ = nullptr;
   bool isDirty_ = true;
+  double describedMagnification_ = 0.0;  ///< In the view's texts.
   int visitorLetter_px_ = 0;  ///< Size of the type for visitors; 0: for users of the workstation.
   Texts texts_ = Texts::whole;
   int hintLift_ = 0;  ///< Offset of the scale bars above a hint below them.

@@ -2,38 +2,92 @@
 #include "gui/scene/PlainVtkWidget.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 
 #include <QEvent>
+#include <QPainter>
+
+#include "gui/scene/ComposedPicture.h"
+#include "gui/scene/CopiedPicture.h"
+#include "gui/scene/RendererName.h"
 
 namespace perilymph::gui {
 
-PlainVtkWidget::PlainVtkWidget(QWidget* parent) : QVTKOpenGLNativeWidget(parent)
+PictureWay usualPictureWay()
 {
-  setFocusPolicy(Qt::NoFocus);
-  setAttribute(Qt::WA_AcceptTouchEvents, false);  // VTK 9.1 would handle each touch twice
-  setEnableHiDPI(false);  // scenes scale their texts themselves; VTK would do it again
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetMultiSamples(0);
-  setRenderWindow(window);
-  // interactor styles have their own keys and drags
-  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
+  static const PictureWay way =
+      isSoftwareRenderer(openGlRenderer()) ? PictureWay::copied : PictureWay::composed;
+  return way;
+}
+
+PlainVtkWidget::PlainVtkWidget(QWidget* parent, PictureWay way) : QWidget(parent)
+{
+  window_->SetMultiSamples(0);
+  window_->SetReadyForRendering(false);  // before the view is shown
+  setMouseTracking(true);
+  if (way == PictureWay::composed) {
+    composed_ = new ComposedPicture(*window_, this);
+    connect(composed_, &QOpenGLWidget::frameSwapped, this, &PlainVtkWidget::presented);
+  } else {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+  }
+}
+
+PlainVtkWidget::~PlainVtkWidget() = default;
+
+vtkRenderWindow* PlainVtkWidget::renderWindow() const { return window_; }
+
+bool PlainVtkWidget::isValid() const
+{
+  return composed_ != nullptr ? composed_->isValid() : copied_ && copied_->isValid();
+}
+
+std::string PlainVtkWidget::renderer() const
+{
+  if (composed_ == nullptr) return copied_ ? copied_->renderer() : std::string();
+  composed_->makeCurrent();
+  return rendererOf(*composed_);
+}
+
+QImage PlainVtkWidget::picture()
+{
+  if (composed_ != nullptr) return composed_->grabFramebuffer();
+  QImage picture = copied_ ? copied_->image() : QImage();
+  picture.setDevicePixelRatio(devicePixelRatioF());
+  return picture;
 }
 
 bool PlainVtkWidget::event(QEvent* event)
 {
-  switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::MouseButtonDblClick:
-    case QEvent::MouseMove:
-    case QEvent::Wheel:
-      // Bypasses VTK, which would handle them. NOLINTNEXTLINE(bugprone-parent-virtual-call)
-      return QOpenGLWidget::event(event);
-    default:
-      return QVTKOpenGLNativeWidget::event(event);
+  if (event->type() == QEvent::ScreenChangeInternal) fitPicture();
+  return QWidget::event(event);
+}
+
+/// The picture has the size of the view.
+void PlainVtkWidget::fitPicture()
+{
+  if (composed_ != nullptr) composed_->setGeometry(rect());
+  if (copied_) copied_->resize(size() * devicePixelRatioF());
+}
+
+void PlainVtkWidget::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  fitPicture();
+}
+
+void PlainVtkWidget::paintEvent(QPaintEvent*)
+{
+  if (composed_ != nullptr) return;
+  if (!copied_) {
+    copied_ = std::make_unique<CopiedPicture>(*window_, [this] { update(); });
+    fitPicture();
   }
+  QPainter painter(this);
+  const double ratio = devicePixelRatioF();
+  painter.scale(1.0 / ratio, 1.0 / ratio);  // pixel for pixel
+  painter.drawImage(QPoint(0, 0), copied_->image());
+  // the window is passed on when all of it is painted
+  QMetaObject::invokeMethod(this, &PlainVtkWidget::presented, Qt::QueuedConnection);
 }
 
 }  // namespace perilymph::gui

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/scene/RendererName.h"
 
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QOpenGLWidget>
+#include <QSurfaceFormat>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -22,6 +24,21 @@ bool isSoftwareRenderer(const std::string& renderer)
   return name.empty() || std::any_of(known.begin(), known.end(), [&](const char* one) {
            return name.find(one) != std::string::npos;
          });
+}
+
+std::string openGlRenderer()
+{
+  QOpenGLContext context;
+  context.setFormat(QSurfaceFormat::defaultFormat());
+  QOffscreenSurface surface;
+  if (!context.create()) return {};
+  surface.setFormat(context.format());
+  surface.create();
+  if (!context.makeCurrent(&surface)) return {};
+  const auto* name = context.functions()->glGetString(GL_RENDERER);
+  const std::string renderer = name != nullptr ? reinterpret_cast<const char*>(name) : "";
+  context.doneCurrent();
+  return renderer;
 }
 
 std::string rendererOf(const QOpenGLWidget& view)

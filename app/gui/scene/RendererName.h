@@ -15,6 +15,9 @@ namespace perilymph::gui {
 ///                  card.
 bool isSoftwareRenderer(const std::string& renderer);
 
+/// The name of the OpenGL renderer of this display; empty without OpenGL.
+std::string openGlRenderer();
+
 /// The name of the OpenGL renderer of a view; empty before it was shown.
 std::string rendererOf(const QOpenGLWidget& view);
 

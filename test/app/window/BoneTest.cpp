@@ -49,7 +49,7 @@ protected:
   /// The fraction of the picture that is not ground.
   double drawnPart()
   {
-    const QImage picture = surface().grabFramebuffer();
+    const QImage picture = surface().picture();
     const QRgb ground = picture.pixel(2, picture.height() - 3);
     int count = 0, drawn = 0;
     for (int y = 0; y < picture.height(); y += 2)

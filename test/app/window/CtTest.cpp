@@ -686,7 +686,7 @@ TEST_F(TheCtPage, ShowsNothingOfTheFormerScanBesideAnotherOne)
   measure();
   auto* surface = page().findChild<gui::SurfaceView*>("surfaceView");
   const auto colors = [surface] {
-    const QImage picture = surface->grabFramebuffer();
+    const QImage picture = surface->picture();
     std::set<QRgb> seen;
     for (int y = 0; y < picture.height(); y += 3)
       for (int x = 0; x < picture.width(); x += 3) seen.insert(picture.pixel(x, y));

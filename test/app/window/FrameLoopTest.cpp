@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QTest>
+
 namespace perilymph::test {
 namespace {
 
@@ -57,6 +59,24 @@ TEST(ChartPaceTest, ATimerThatIsSlowAtRestMakesNoFrameLate)
   ChartPace pace;
   pace.drawn(0);
   EXPECT_TRUE(pace.isDue(resting_ms, resting_ms + 2, resting_ms));
+}
+
+TEST(FrameLoopTest, CountsAFrameThatIsPassedOnAfterTurnsInWhichNothingChanged)
+{
+  int turns = 0, pictures = 0;
+  gui::FrameLoop loop({[&turns](double) { ++turns; }, [] {},
+                       [&turns, &pictures] {
+                         pictures += turns == 1;
+                         return turns == 1;
+                       },
+                       [] { return false; }, [] { return true; }},
+                      nullptr);
+  loop.setInterval(1);
+  loop.start();
+  ASSERT_TRUE(QTest::qWaitFor([&turns] { return turns > 2; }, 60'000));
+  loop.present();
+  EXPECT_EQ(pictures, 1);
+  EXPECT_EQ(loop.meter().frames(), 1U);
 }
 
 }  // namespace

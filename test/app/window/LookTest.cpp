@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QVTKOpenGLNativeWidget.h>
+#include <vtkRenderWindow.h>
 
 #include <QLabel>
 #include <algorithm>
@@ -85,11 +86,15 @@ TEST(WindowLook, TheCaptionOfTheForceSaysWhatItIs)
 TEST(WindowLook, WordsOfPictureAndChartsAreScaledOnceOnAScreenOfManyPixels)
 {
   WindowRig rig;
-  const auto views = rig.window().findChildren<QVTKOpenGLNativeWidget*>();
+  const auto views = rig.window().findChildren<gui::PlainVtkWidget*>();
   // array, two charts, the cochlea measured in a CT, a study, up to four arrays of a plan
   EXPECT_EQ(views.size(), 9);
   // scenes and charts get the device pixel ratio; VTK's own scaling would be applied on top
-  for (const QVTKOpenGLNativeWidget* view : views) EXPECT_FALSE(view->enableHiDPI());
+  constexpr int unscaledDpi = 72;
+  for (const gui::PlainVtkWidget* view : views)
+    EXPECT_EQ(view->renderWindow()->GetDPI(), unscaledDpi);
+  gui::PlainVtkWidget composed(nullptr, gui::PictureWay::composed);
+  EXPECT_FALSE(composed.findChild<QVTKOpenGLNativeWidget*>()->enableHiDPI());
 }
 
 TEST(WindowLook, SaysWhatItIsNot)

@@ -128,7 +128,7 @@ bool WindowRig::runForTicks(std::uint64_t ticks)
 QImage WindowRig::picture()
 {
   window_->view().renderIfDirty();
-  return window_->view().grabFramebuffer();
+  return window_->view().picture();
 }
 
 }  // namespace perilymph::test

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gui/pages/insert/ForceCharts.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderWindow.h>
 
 #include <QEvent>
 #include <algorithm>
 
 #include "gui/pages/insert/Pane.h"
+#include "gui/scene/PlainVtkWidget.h"
 #include "gui/text/ChartLabels.h"
 #include "gui/text/DataText.h"
 #include "gui/widgets/Theme.h"
@@ -39,17 +37,10 @@ ForceCharts::ForceCharts(QWidget* parent)
 
 ForceCharts::~ForceCharts() = default;
 
-QVTKOpenGLNativeWidget* ForceCharts::chartView(QWidget* parent)
+PlainVtkWidget* ForceCharts::chartView(QWidget* parent)
 {
-  auto* view = new QVTKOpenGLNativeWidget(parent);
-  view->setFocusPolicy(Qt::NoFocus);
+  auto* view = new PlainVtkWidget(parent);
   view->setAttribute(Qt::WA_TransparentForMouseEvents);
-  view->setAttribute(Qt::WA_AcceptTouchEvents, false);
-  view->setEnableHiDPI(false);  // charts scale their texts themselves; VTK would do it again
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  window->SetMultiSamples(0);
-  view->setRenderWindow(window);
-  if (window->GetInteractor() != nullptr) window->GetInteractor()->SetInteractorStyle(nullptr);
   view->installEventFilter(this);
   return view;
 }
@@ -163,7 +154,7 @@ void ForceCharts::showRecorded(const analysis::ForceProfile& profile)
 
 bool ForceCharts::renderNext()
 {
-  const auto render = [](QVTKOpenGLNativeWidget& view, auto& chart, bool& isDirty) {
+  const auto render = [](PlainVtkWidget& view, auto& chart, bool& isDirty) {
     if (!view.isVisible() || !view.isValid()) return false;
     if (!chart.update() && !isDirty) return false;
     isDirty = false;

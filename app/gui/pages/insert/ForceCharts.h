@@ -14,11 +14,10 @@
 #include "perilymph/charts/ForceTimeChart.h"
 #include "perilymph/haptics/Snapshot.h"
 
-class QVTKOpenGLNativeWidget;
-
 namespace perilymph::gui {
 
 class Pane;
+class PlainVtkWidget;
 
 /// Two charts, each in its own pane, so that they are rendered independently.
 class ForceCharts : public QObject {
@@ -66,14 +65,14 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  QVTKOpenGLNativeWidget* chartView(QWidget* parent);
+  PlainVtkWidget* chartView(QWidget* parent);
 
   // Charts are destroyed before the panes' widgets, because their renderers must not outlive a
   // window.
   charts::ForceDepthChart overTravel_;
   charts::ForceTimeChart components_;
-  QVTKOpenGLNativeWidget* travelView_;
-  QVTKOpenGLNativeWidget* timeView_;
+  PlainVtkWidget* travelView_;
+  PlainVtkWidget* timeView_;
   Pane* travelPane_;
   Pane* timePane_;
   void showExperiment();

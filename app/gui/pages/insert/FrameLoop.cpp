@@ -37,7 +37,7 @@ void FrameLoop::start()
 
 void FrameLoop::takeTurn()
 {
-  meter_.begin(FrameMeter::Clock::now());
+  const FrameMeter::Clock::time_point began = FrameMeter::Clock::now();
   const qint64 elapsed_ms = sinceTurn_.restart();
   turn_.step(std::min(double(elapsed_ms) / 1e3, longestStep_s));
   const bool isSeen = turn_.isSeen();
@@ -55,7 +55,7 @@ void FrameLoop::takeTurn()
     charts_.drawn(now_ms);
     isDrawn = true;
   }
-  if (!isDrawn) meter_.cancel();
+  if (isDrawn) meter_.begin(began);  // else the frame before may still be on its way
   slowDownAtRest(isDrawn);
   if (!isSeen && isFirstFrame_) {
     isFirstFrame_ = false;

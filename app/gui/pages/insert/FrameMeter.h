@@ -20,8 +20,6 @@ public:
   void begin(Clock::time_point now);
   /// Ends a frame: it is on the display.
   void present(Clock::time_point now);
-  /// Nothing had to be drawn in this timer event.
-  void cancel() { isOpen_ = false; }
 
   /// Frames presented during the last second before `now`.
   int framesPerSecond(Clock::time_point now) const;

@@ -163,7 +163,8 @@ void InsertPage::connectBars()
   connect(building_, &BuildingNote::cancelRequested, &insertion_.setup(), &SetupControl::cancel);
   connect(replay_, &ReplayControl::closeRequested, &insertion_, &Insertion::closeReplay);
   views_->charts()->setExperiment(charts::publishedExperiment());
-  connect(views_->operation(), &QOpenGLWidget::frameSwapped, frames_, &FrameLoop::present);
+  for (const auto* view : findChildren<PlainVtkWidget*>())
+    connect(view, &PlainVtkWidget::presented, frames_, &FrameLoop::present);
   const auto pace = [this] {
     frames_->setInterval(visualization::traitsOf(views_->quality()).frameInterval_ms);
   };

@@ -8,13 +8,20 @@
 
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
-#include <algorithm>
+#include <cstring>
 #include <string>
 #include <utility>
 
 namespace perilymph::gui {
 
-CopiedPicture::CopiedPicture(vtkGenericOpenGLRenderWindow& window, std::function<void()> onDrawn)
+namespace {
+
+constexpr int tile_px = 32;
+
+}  // namespace
+
+CopiedPicture::CopiedPicture(vtkGenericOpenGLRenderWindow& window,
+                             std::function<void(const QRegion&)> onDrawn)
     : window_(window), onDrawn_(std::move(onDrawn))
 {
   context_.setFormat(QSurfaceFormat::defaultFormat());
@@ -51,8 +58,8 @@ void CopiedPicture::handle(vtkObject*, unsigned long event, void* data)
     *static_cast<bool*>(data) = QOpenGLContext::currentContext() == &context_;
   } else if (window_.GetSwapBuffers() != 0) {
     isDrawn_ = true;
-    isCopied_ = false;
-    if (!isRequested_) onDrawn_();
+    const QRegion changed = copy();
+    if (!isRequested_) onDrawn_(changed);
   }
 }
 
@@ -70,17 +77,18 @@ const QImage& CopiedPicture::image()
     window_.Render();
     isRequested_ = false;
   }
-  if (isDrawn_ && !isCopied_) copy();
   return image_;
 }
 
-void CopiedPicture::copy()
+QRegion CopiedPicture::copy()
 {
-  isCopied_ = true;
   const QSize size(window_.GetSize()[0], window_.GetSize()[1]);
-  // without alpha: the picture is opaque whatever a renderer leaves there
-  if (image_.size() != size) image_ = QImage(size, QImage::Format_RGB32);
-  makeCurrent();
+  const bool isNew = image_.size() != size;
+  if (isNew) {
+    // without alpha: the picture is opaque whatever a renderer leaves there
+    image_ = QImage(size, QImage::Format_RGB32);
+    read_ = QImage(size, QImage::Format_RGB32);
+  }
   // through VTK, which remembers OpenGL's state; pixels of four bytes suit each alignment of rows
   vtkOpenGLState& state = *window_.GetState();
   state.ResetFramebufferBindings();
@@ -88,13 +96,38 @@ void CopiedPicture::copy()
   window_.GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
   window_.GetDisplayFramebuffer()->ActivateReadBuffer(0);
   context_.functions()->glReadPixels(0, 0, size.width(), size.height(), GL_BGRA, GL_UNSIGNED_BYTE,
-                                     image_.bits());
+                                     read_.bits());
   state.PopReadFramebufferBinding();
-  // its lowest row is the first
-  for (int above = 0, below = size.height() - 1; above < below; ++above, --below) {
-    auto* const row = reinterpret_cast<QRgb*>(image_.scanLine(above));
-    std::swap_ranges(row, row + size.width(), reinterpret_cast<QRgb*>(image_.scanLine(below)));
+
+  std::vector<QRect> changed;
+  for (int top = 0; top < size.height(); top += tile_px)
+    for (int left = 0; left < size.width(); left += tile_px) {
+      const QRect tile = QRect(left, top, tile_px, tile_px).intersected(QRect(QPoint(0, 0), size));
+      if (!copyTile(tile) && !isNew) continue;
+      if (!changed.empty() && changed.back().top() == top && changed.back().right() == left - 1)
+        changed.back().setRight(tile.right());
+      else
+        changed.push_back(tile);
+    }
+  QRegion region;
+  region.setRects(changed.data(), static_cast<int>(changed.size()));
+  return region;
+}
+
+/// True if the tile changed.
+bool CopiedPicture::copyTile(const QRect& tile)
+{
+  const auto bytes = static_cast<std::size_t>(tile.width()) * sizeof(QRgb);
+  bool isChanged = false;
+  for (int y = tile.top(); y <= tile.bottom(); ++y) {
+    const auto* const from =
+        reinterpret_cast<const QRgb*>(read_.constScanLine(image_.height() - 1 - y)) + tile.left();
+    auto* const to = reinterpret_cast<QRgb*>(image_.scanLine(y)) + tile.left();
+    if (!isChanged && std::memcmp(from, to, bytes) == 0) continue;
+    isChanged = true;
+    std::memcpy(to, from, bytes);
   }
+  return isChanged;
 }
 
 std::string CopiedPicture::renderer()

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QRegion>
 #include <functional>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace perilymph::gui {
 class CopiedPicture {
 public:
   /// @param window   Must outlive the picture.
-  /// @param onDrawn  Called after each drawing but those by image().
-  CopiedPicture(vtkGenericOpenGLRenderWindow& window, std::function<void()> onDrawn);
+  /// @param onDrawn  Called with the pixels that changed, after each drawing but those by image().
+  CopiedPicture(vtkGenericOpenGLRenderWindow& window, std::function<void(const QRegion&)> onDrawn);
   ~CopiedPicture();
   CopiedPicture(const CopiedPicture&) = delete;
   CopiedPicture& operator=(const CopiedPicture&) = delete;
@@ -35,18 +36,20 @@ public:
 private:
   bool makeCurrent() { return context_.makeCurrent(&surface_); }
   void handle(vtkObject* window, unsigned long event, void* data);
-  void copy();
+  /// Reads the picture from OpenGL, and copies what changed.
+  QRegion copy();
+  bool copyTile(const QRect& tile);
 
   vtkGenericOpenGLRenderWindow& window_;
-  std::function<void()> onDrawn_;
+  std::function<void(const QRegion&)> onDrawn_;
   QOpenGLContext context_;
   QOffscreenSurface surface_;
   std::vector<unsigned long> observers_;
   bool isValid_ = false;
   bool isDrawn_ = false;      ///< In the present size.
   bool isRequested_ = false;  ///< By image().
-  bool isCopied_ = false;     ///< The last drawing is in the image.
   QImage image_;
+  QImage read_;  ///< The last drawing, the lowest row first.
 };
 
 }  // namespace perilymph::gui

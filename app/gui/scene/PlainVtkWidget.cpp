@@ -51,7 +51,8 @@ std::string PlainVtkWidget::renderer() const
 QImage PlainVtkWidget::picture()
 {
   if (composed_ != nullptr) return composed_->grabFramebuffer();
-  QImage picture = copied_ ? copied_->image() : QImage();
+  beginCopying();
+  QImage picture = copied_->image();
   picture.setDevicePixelRatio(devicePixelRatioF());
   return picture;
 }
@@ -60,6 +61,22 @@ bool PlainVtkWidget::event(QEvent* event)
 {
   if (event->type() == QEvent::ScreenChangeInternal) fitPicture();
   return QWidget::event(event);
+}
+
+/// Updates of a part spare the texts elsewhere in the view.
+void PlainVtkWidget::beginCopying()
+{
+  if (copied_) return;
+  copied_ = std::make_unique<CopiedPicture>(*window_, [this](const QRegion& changed_px) {
+    const double ratio = devicePixelRatioF();
+    QRegion changed;
+    for (const QRect& part : changed_px)
+      changed +=
+          QRectF(part.x() / ratio, part.y() / ratio, part.width() / ratio, part.height() / ratio)
+              .toAlignedRect();
+    update(changed);
+  });
+  fitPicture();
 }
 
 /// The picture has the size of the view.
@@ -78,10 +95,7 @@ void PlainVtkWidget::resizeEvent(QResizeEvent* event)
 void PlainVtkWidget::paintEvent(QPaintEvent*)
 {
   if (composed_ != nullptr) return;
-  if (!copied_) {
-    copied_ = std::make_unique<CopiedPicture>(*window_, [this] { update(); });
-    fitPicture();
-  }
+  beginCopying();
   QPainter painter(this);
   const double ratio = devicePixelRatioF();
   painter.scale(1.0 / ratio, 1.0 / ratio);  // pixel for pixel

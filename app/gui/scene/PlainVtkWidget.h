@@ -56,6 +56,7 @@ protected:
 
 private:
   void fitPicture();
+  void beginCopying();
 
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   ComposedPicture* composed_ = nullptr;

@@ -6,6 +6,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <QLabel>
+#include <QPaintEvent>
 #include <QTest>
 
 #include "gui/scene/PlainVtkWidget.h"
@@ -136,6 +137,44 @@ TEST_P(AView, KeepsItsTextsAboveThePicture)
   const QImage drawn = drawnBy(*view->renderWindow());
   EXPECT_EQ(seen.pixel(qRound(10 * ratio), qRound(40 * ratio)),
             drawn.pixel(qRound(10 * ratio), qRound(40 * ratio)));
+}
+
+/// What a widget paints.
+class PaintedRegion : public QObject {
+public:
+  explicit PaintedRegion(QWidget& widget) : QObject(&widget) { widget.installEventFilter(this); }
+  QRegion region;
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override
+  {
+    if (event->type() == QEvent::Paint) region += static_cast<QPaintEvent*>(event)->region();
+    return QObject::eventFilter(watched, event);
+  }
+};
+
+TEST(ACopiedView, PaintsOnlyWhatChanged)
+{
+  QWidget window;
+  gui::PlainVtkWidget view(&window, gui::PictureWay::copied);
+  int presented = 0;
+  QObject::connect(&view, &gui::PlainVtkWidget::presented, &view, [&presented] { ++presented; });
+  window.resize(320, 200);
+  view.setGeometry(window.rect());
+  vtkNew<vtkRenderer> whole, corner;
+  corner->SetViewport(0.75, 0.75, 1.0, 1.0);
+  view.renderWindow()->AddRenderer(whole);
+  view.renderWindow()->AddRenderer(corner);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return presented > 0; }, patience_ms));
+  const PaintedRegion painted(view);
+  corner->SetBackground(1.0, 1.0, 1.0);
+  const int before = presented;
+  view.renderWindow()->Render();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return presented > before; }, patience_ms));
+  const QRect area = painted.region.boundingRect();
+  EXPECT_TRUE(area.contains(QRect(240, 0, 80, 50)));
+  EXPECT_LT(area.width() * area.height(), 320 * 200 / 4);
 }
 
 INSTANTIATE_TEST_SUITE_P(EachWay, AView,

@@ -65,7 +65,7 @@ protected:
     window.show();
   }
 
-  /// The window as the user sees it once the view has painted.
+  /// The view as the user sees it once it has painted.
   QImage shown()
   {
     const int before = presented;
@@ -73,14 +73,14 @@ protected:
     return seenAfter(before);
   }
 
-  /// The window after the view was presented once more.
+  /// The view after it was presented once more.
   QImage seenAfter(int before)
   {
     EXPECT_TRUE(QTest::qWaitFor([&] { return presented > before; }, patience_ms));
-    return window.grab().toImage().convertToFormat(QImage::Format_ARGB32);
+    return view->grab().toImage().convertToFormat(QImage::Format_ARGB32);
   }
 
-  /// The difference of the window from the picture that VTK draws in it.
+  /// The difference of the view from the picture that VTK draws in it.
   std::string differenceNow()
   {
     const QImage seen = shown();

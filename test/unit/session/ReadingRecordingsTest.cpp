@@ -232,7 +232,7 @@ TEST(ReadingTicks, OfFormat2StopsAtAnInvalidRecord)
 {
   const test::TemporaryFolder folder;
   const fs::path file = folder / "some.insertion";
-  fs::copy_file(test::testData() / "recordings/contour-published-rod.insertion", file);
+  fs::copy_file(test::testData() / "recordings/version-0.2/contour-published-rod.insertion", file);
   for (const char* change : {"UPDATE tick SET record = x'01' WHERE tick = 4",
                              "UPDATE tick SET record = (SELECT record FROM tick WHERE tick = 3) "
                              "WHERE tick = 4",

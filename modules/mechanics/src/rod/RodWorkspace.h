@@ -33,8 +33,9 @@ struct StepWork {
   int factorizations = 0;  ///< Factorizations of the stiffness.
 };
 
-/// Intermediate results of one time step; only `system.factors` and a step that remains are kept between steps. Functions
-/// that need one part take that part; the solver's loops take the whole workspace.
+/// Intermediate results of one time step; only `system.factors` and a step that remains are kept
+/// between steps. Functions that need one part take that part; the solver's loops take the whole
+/// workspace.
 struct RodWorkspace {
   explicit RodWorkspace(std::size_t nodes = 0)
       : start(nodes),

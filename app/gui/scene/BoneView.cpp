@@ -44,8 +44,8 @@ void BoneView::render()
 
 void BoneView::renderMoving()
 {
-  if (!isSoftware_) isSoftware_ = isSoftwareRenderer(renderer());
-  layer()->setMoving(*isSoftware_);  // a graphics card always draws the fine surface
+  // a graphics card always draws the fine surface
+  layer()->setMoving(isSoftwareRenderer(openGlRenderer()));
   render();
   rest_.start();
   onMoved();

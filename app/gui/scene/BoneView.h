@@ -81,7 +81,6 @@ private:
     double toViewer_mm;
   };
   std::optional<HeldApproach> heldApproach_;
-  std::optional<bool> isSoftware_;  ///< Drawn by the processor; empty before the first motion.
   QTimer rest_;
 };
 

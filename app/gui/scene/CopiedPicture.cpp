@@ -9,7 +9,6 @@
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <cstring>
-#include <string>
 #include <utility>
 
 namespace perilymph::gui {
@@ -128,13 +127,6 @@ bool CopiedPicture::copyTile(const QRect& tile)
     std::memcpy(to, from, bytes);
   }
   return isChanged;
-}
-
-std::string CopiedPicture::renderer()
-{
-  if (!isValid_ || !makeCurrent()) return {};
-  const auto* const name = context_.functions()->glGetString(GL_RENDERER);
-  return name == nullptr ? std::string() : reinterpret_cast<const char*>(name);
 }
 
 }  // namespace perilymph::gui

@@ -31,7 +31,6 @@ public:
   /// The last picture in the present size; VTK draws one if there is none. The image is valid until the
   /// next drawing.
   const QImage& image();
-  std::string renderer();
 
 private:
   bool makeCurrent() { return context_.makeCurrent(&surface_); }

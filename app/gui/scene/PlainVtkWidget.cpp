@@ -14,9 +14,7 @@ namespace perilymph::gui {
 
 PictureWay usualPictureWay()
 {
-  static const PictureWay way =
-      isSoftwareRenderer(openGlRenderer()) ? PictureWay::copied : PictureWay::composed;
-  return way;
+  return isSoftwareRenderer(openGlRenderer()) ? PictureWay::copied : PictureWay::composed;
 }
 
 PlainVtkWidget::PlainVtkWidget(QWidget* parent, PictureWay way) : QWidget(parent)
@@ -39,13 +37,6 @@ vtkRenderWindow* PlainVtkWidget::renderWindow() const { return window_; }
 bool PlainVtkWidget::isValid() const
 {
   return composed_ != nullptr ? composed_->isValid() : copied_ && copied_->isValid();
-}
-
-std::string PlainVtkWidget::renderer() const
-{
-  if (composed_ == nullptr) return copied_ ? copied_->renderer() : std::string();
-  composed_->makeCurrent();
-  return rendererOf(*composed_);
 }
 
 QImage PlainVtkWidget::picture()

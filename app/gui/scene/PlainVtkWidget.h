@@ -8,7 +8,6 @@
 #include <QImage>
 #include <QWidget>
 #include <memory>
-#include <string>
 
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderWindow;
@@ -40,8 +39,6 @@ public:
   vtkRenderWindow* renderWindow() const;
   /// VTK can draw: the view was shown.
   bool isValid() const;
-  /// The name of the OpenGL renderer; empty before the view was shown.
-  std::string renderer() const;
   /// The picture without the widgets in it.
   QImage picture();
 

@@ -4,7 +4,6 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QOpenGLWidget>
 #include <QSurfaceFormat>
 #include <algorithm>
 #include <array>
@@ -26,7 +25,9 @@ bool isSoftwareRenderer(const std::string& renderer)
          });
 }
 
-std::string openGlRenderer()
+namespace {
+
+std::string askForRenderer()
 {
   QOpenGLContext context;
   context.setFormat(QSurfaceFormat::defaultFormat());
@@ -41,11 +42,12 @@ std::string openGlRenderer()
   return renderer;
 }
 
-std::string rendererOf(const QOpenGLWidget& view)
+}  // namespace
+
+const std::string& openGlRenderer()
 {
-  if (!view.isValid()) return {};
-  const auto* name = view.context()->functions()->glGetString(GL_RENDERER);
-  return name == nullptr ? std::string() : reinterpret_cast<const char*>(name);
+  static const std::string renderer = askForRenderer();
+  return renderer;
 }
 
 }  // namespace perilymph::gui

@@ -5,8 +5,6 @@
 
 #include <string>
 
-class QOpenGLWidget;
-
 namespace perilymph::gui {
 
 /// Whether an OpenGL renderer draws on the processor.
@@ -15,10 +13,8 @@ namespace perilymph::gui {
 ///                  card.
 bool isSoftwareRenderer(const std::string& renderer);
 
-/// The name of the OpenGL renderer of this display; empty without OpenGL.
-std::string openGlRenderer();
-
-/// The name of the OpenGL renderer of a view; empty before it was shown.
-std::string rendererOf(const QOpenGLWidget& view);
+/// The name of the OpenGL renderer of this display; empty without OpenGL. It is asked for once: call
+/// after QApplication.
+const std::string& openGlRenderer();
 
 }  // namespace perilymph::gui
